@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkOITPass
+ * @brief   base class of all order-independent transparency passes
+ *
+ * A vtkOITPass draws the translucent props of a renderer. It goes where VTK's own translucent
+ * passes go: into vtkRenderStepsPass::SetTranslucentPass(), into a vtkSequencePass given to
+ * vtkRenderer::SetPass(), or into an existing renderer through vtkOITRendererHook. A default
+ * delegate (vtkTranslucentPass) is set by the constructor, so a pass works as it is created.
+ *
+ * One frame, for every subclass:
+ *
+ * 1. Find the translucent props and the screen rectangle that their bounds can touch. Nothing
+ *    translucent, or nothing on screen: return at once; zero passes, nothing allocated.
+ * 2. Ask the context whether it can run this method; if not, say in one line what is missing
+ *    and let the delegate blend the props unsorted.
+ * 3. RenderTranslucent() of the subclass: geometry passes that write only to the pass's own
+ *    storage, then one resolve that composites over what the framebuffer holds,
+ *    `C = C_layers + T C_dst`, `A = (1-T) + T A_dst`, inside the rectangle only.
+ * 4. All GL state is left as it was found.
+ *
+ * Opaque geometry must be in the bound framebuffer, with its depth, before Render() is called.
+ *
+ * @sa vtkOITABufferPass vtkOITRendererHook vtkOITPassFactory
+ */
+
+#ifndef vtkOITPass_h
+#define vtkOITPass_h
+
+#include "vtkOITModule.h" // for the export macro
+#include "vtkOpenGLRenderPass.h"
+#include "vtkSmartPointer.h" // for the delegate
+
+#include <string> // for GetMissingCapability
+
+class vtkOpenGLRenderWindow;
+class vtkWindow;
+
+class VTKOIT_EXPORT vtkOITPass : public vtkOpenGLRenderPass
+{
+public:
+  vtkTypeMacro(vtkOITPass, vtkOpenGLRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void Render(const vtkRenderState* state) override;
+
+  /// The delegate that draws the translucent props once per geometry pass. Default: a
+  /// vtkTranslucentPass. nullptr is an error at render time.
+  ///@{
+  virtual void SetTranslucentPass(vtkRenderPass* pass);
+  vtkRenderPass* GetTranslucentPass();
+  ///@}
+
+  /// Name of the algorithm, as in the literature, of the last frame.
+  virtual const char* GetAlgorithmName() = 0;
+
+  /// Empty when this method runs in the window's context, otherwise one line that says what is
+  /// missing. The window's context must have been created (Render() called once).
+  virtual std::string GetMissingCapability(vtkOpenGLRenderWindow* window) = 0;
+
+  /// Meaning as in vtkRenderer: the largest number of geometry passes spent on peeling, 0 for no
+  /// limit (default). Methods that do not peel ignore it.
+  ///@{
+  vtkSetClampMacro(MaximumNumberOfPeels, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumNumberOfPeels, int);
+  ///@}
+
+  /// Meaning as in vtkRenderer: peeling stops when fewer than this share of the viewport's pixels
+  /// changed; [0, 0.5], default 0 (exact). Methods that do not peel ignore it.
+  ///@{
+  vtkSetClampMacro(OcclusionRatio, double, 0.0, 0.5);
+  vtkGetMacro(OcclusionRatio, double);
+  ///@}
+
+  /// Hard limit in bytes for the storage of the pass on the context, 0 (default) for no limit of
+  /// its own beyond what the context offers. Under the limit the frame stays exact and is
+  /// rendered in bands. At least 1 MiB when not 0.
+  ///@{
+  virtual void SetMaximumBufferSize(vtkTypeInt64 bytes);
+  vtkGetMacro(MaximumBufferSize, vtkTypeInt64);
+  ///@}
+
+  /// Statistics of the last Render().
+  ///@{
+  /// How often the delegate drew the translucent props.
+  vtkGetMacro(NumberOfGeometryPasses, int);
+  /// Fragments captured over all pixels; negative when the pass cannot know.
+  vtkGetMacro(NumberOfFragments, vtkTypeInt64);
+  /// Largest number of fragments of one pixel; negative when the pass cannot know.
+  vtkGetMacro(MaximumDepthComplexity, int);
+  /// Bytes that the pass holds on the context.
+  vtkGetMacro(BufferSizeInBytes, vtkTypeInt64);
+  /// True when nothing was dropped or approximated.
+  vtkGetMacro(Exact, bool);
+  /// 0 when exact, otherwise a bound on the colour error (colours in [0,1]).
+  vtkGetMacro(ErrorBound, double);
+  ///@}
+
+protected:
+  vtkOITPass();
+  ~vtkOITPass() override;
+
+  vtkSmartPointer<vtkRenderPass> TranslucentPass;
+  int MaximumNumberOfPeels = 0;
+  double OcclusionRatio = 0.0;
+  vtkTypeInt64 MaximumBufferSize = 0;
+
+  int NumberOfGeometryPasses = 0;
+  vtkTypeInt64 NumberOfFragments = 0;
+  int MaximumDepthComplexity = 0;
+  vtkTypeInt64 BufferSizeInBytes = 0;
+  bool Exact = true;
+  double ErrorBound = 0.0;
+
+private:
+  vtkOITPass(const vtkOITPass&) = delete;
+  void operator=(const vtkOITPass&) = delete;
+};
+
+#endif

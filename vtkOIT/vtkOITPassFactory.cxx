@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkOITPassFactory.h"
+
+#include "vtkOITABufferPass.h"
+#include "vtkObjectFactory.h"
+
+#include <array>
+
+namespace
+{
+struct Method
+{
+  const char* Name;
+  vtkOITPass* (*Create)();
+};
+
+template <typename PassType>
+vtkOITPass* CreateAs()
+{
+  return PassType::New();
+}
+
+const std::array<Method, 1> Methods = { {
+  { "abuffer", CreateAs<vtkOITABufferPass> },
+} };
+}
+
+vtkStandardNewMacro(vtkOITPassFactory);
+
+//------------------------------------------------------------------------------
+int vtkOITPassFactory::GetNumberOfMethods()
+{
+  return static_cast<int>(Methods.size());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITPassFactory::GetMethodName(int index)
+{
+  return index >= 0 && index < GetNumberOfMethods() ? Methods[index].Name : std::string();
+}
+
+//------------------------------------------------------------------------------
+vtkOITPass* vtkOITPassFactory::CreatePass(const std::string& methodName)
+{
+  for (const Method& method : Methods)
+  {
+    if (methodName == method.Name)
+    {
+      return method.Create();
+    }
+  }
+  return nullptr;
+}

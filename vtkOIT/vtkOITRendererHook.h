@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkOITRendererHook
+ * @brief   puts a vtkOITPass into a renderer that already exists
+ *
+ * Install() makes the renderer draw its translucent props with the given pass and keeps the
+ * renderer's own pipeline around it: selection, SSAO, FXAA, volumes and overlays stay VTK's. It
+ * works for every vtkOpenGLRenderer, also for application subclasses (PyVista, F3D, ParaView).
+ *
+ * The renderer's UseDepthPeeling is switched on; its MaximumNumberOfPeels and OcclusionRatio are
+ * ignored while a pass is installed: the pass's own properties hold. Uninstall() gives back what
+ * Install() found.
+ *
+ * @sa vtkOITPass
+ */
+
+#ifndef vtkOITRendererHook_h
+#define vtkOITRendererHook_h
+
+#include "vtkOITModule.h" // for the export macro
+#include "vtkObject.h"
+
+class vtkOITPass;
+class vtkRenderer;
+
+class VTKOIT_EXPORT vtkOITRendererHook : public vtkObject
+{
+public:
+  static vtkOITRendererHook* New();
+  vtkTypeMacro(vtkOITRendererHook, vtkObject);
+
+  /// Draws the translucent props of the renderer with the pass from the next frame on, instead of
+  /// a pass installed before. False, with one line of error, when the renderer is not an OpenGL
+  /// renderer or an argument is nullptr.
+  static bool Install(vtkRenderer* renderer, vtkOITPass* pass);
+
+  /// Gives the renderer back as Install() found it; false when nothing was installed.
+  static bool Uninstall(vtkRenderer* renderer);
+
+  /// The installed pass, or nullptr.
+  static vtkOITPass* GetInstalledPass(vtkRenderer* renderer);
+
+protected:
+  vtkOITRendererHook() = default;
+  ~vtkOITRendererHook() override = default;
+
+private:
+  vtkOITRendererHook(const vtkOITRendererHook&) = delete;
+  void operator=(const vtkOITRendererHook&) = delete;
+};
+
+#endif
