@@ -1,0 +1,19 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Wraps the modules into the Python package vtkoit: vtkoit.vtkOIT and vtkoit.vtkOITOSMesa. The
+# pure Python part of the package comes from Wrapping/Python/.
+
+vtk_module_python_default_destination(vtkoit_python_destination)
+
+vtk_module_wrap_python(
+  MODULES ${vtkoit_modules}
+  TARGET vtkOIT::Python
+  INSTALL_EXPORT vtkOITPython
+  PYTHON_PACKAGE vtkoit
+  MODULE_DESTINATION "${vtkoit_python_destination}"
+  LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  CMAKE_DESTINATION "${vtkoit_cmake_destination}"
+  SOABI "${Python3_SOABI}"
+  BUILD_STATIC OFF
+  INSTALL_HEADERS OFF)
