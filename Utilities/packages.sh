@@ -1,0 +1,37 @@
+#!/bin/sh
+# SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# packages.sh: installs the Debian packages that building and testing need, those that are missing.
+# packages.sh --list: prints their names. A name that ends in ? is left out where the release does
+# not have it (Mesa dropped OSMesa; there the EGL libraries serve).
+set -eu
+# shellcheck source=common.sh
+. "$(dirname -- "$0")/common.sh"
+
+packages='
+  ca-certificates
+  cmake
+  g++
+  ninja-build
+  libvtk9-dev
+  python3-vtk9
+  libglm-dev
+  libosmesa6?
+  libegl1
+  libgl1-mesa-dri
+'
+
+case ${1:-} in
+  '')
+    # shellcheck disable=SC2086 # a list of package names
+    install_packages $packages
+    ;;
+  --list)
+    # shellcheck disable=SC2086
+    printf '%s\n' $packages
+    ;;
+  *)
+    fail "unknown argument $1; usage: packages.sh [--list]" 2
+    ;;
+esac
