@@ -18,4 +18,4 @@ quietly build/configure.log cmake --preset "$preset" -DBUILD_TESTING=ON
 cmake --build build
 
 say "running the tests"
-ctest --test-dir build --output-on-failure --parallel "$(nproc)" "$@"
+ctest --test-dir build --output-on-failure --no-tests=error --parallel "$(nproc)" "$@"
