@@ -66,14 +66,17 @@ copy_source()
 make_rootfs()
 {
   (install_packages mmdebstrap debian-archive-keyring) || unavailable "no mmdebstrap"
-  rm -rf "$rootfs.part"
+  rm -rf --one-file-system "$rootfs.part"
   # The mirror that this machine uses; without one, mmdebstrap knows Debian's own.
   mirror=$(apt-get indextargets --format '$(REPO_URI)' | grep -m 1 '/debian/*$' || :)
   say "making a root file system of Debian $release in $rootfs"
   # shellcheck disable=SC2086 # one mirror or none
   mmdebstrap --quiet --mode=root --variant=minbase \
     --aptopt='Acquire::Check-Valid-Until "false"' --dpkgopt=force-unsafe-io \
-    "$release" "$rootfs.part" $mirror || unavailable "mmdebstrap failed (mirror or network)"
+    "$release" "$rootfs.part" $mirror || {
+    rm -rf --one-file-system "$rootfs.part"
+    unavailable "mmdebstrap failed (mirror or network)"
+  }
   mv "$rootfs.part" "$rootfs"
 }
 
