@@ -1,38 +1,103 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 // SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkOITABufferPass
+ * @brief   exact transparency in one geometry pass: all fragments, sorted per pixel
+ *
+ * The A-buffer (Carpenter, The A-buffer, an antialiased hidden surface method, SIGGRAPH 1984) as
+ * lists of fragments built on the graphics processor (Yang, Hensley, Grün and Thibieroz, Real-time
+ * concurrent linked list construction on the GPU, EGSR 2010):
+ *
+ * 1. Gather: the props are drawn once, under the hardware's depth test against the opaque
+ *    geometry. Each fragment takes a node of one pool by an atomic counter and puts it at the head
+ *    of its pixel's list by an atomic exchange. Nothing is written to the framebuffer.
+ * 2. Resolve: a quad over the screen rectangle of the translucent props. Each pixel loads its list,
+ *    sorts it by depth in registers (up to 32 fragments; beyond that, the list itself is
+ *    merge-sorted), and composites it front to back, `C += T α c`, `T -= T α` in float32, over
+ *    what the framebuffer holds.
+ * 3. The counters are read back. When the pool was too small, Resolve has drawn nothing; the pool
+ *    grows to the size that was counted and the frame is rendered again. Where it may not grow
+ *    (MaximumBufferSize, limits of the context) the rectangle is rendered in bands that fit. The
+ *    next frame starts with what was needed.
+ *
+ * Coincident fragments, whose float32 window depths are equal to the bit, count once each: as a
+ * group they have the opacity `1 - Π(1 - α_i)` and the mean of their colours weighted by opacity.
+ * The picture is the same to the last bit for every order of drawing.
+ *
+ * Multisampled framebuffers are resolved once a sample, from the coverage that each fragment had
+ * after the depth test; one depth and colour per pixel and fragment, as in multisampling itself.
+ *
+ * Geometry passes: 1, when the pool was too small 2, with bands 1 each. Memory: 4 bytes per pixel
+ * of the rectangle plus 16 bytes per fragment; 32 per fragment for float32 colours or
+ * multisampling. Needs GL 4.3 with ARB_clear_texture (any GL 4.4, Mesa's llvmpipe).
+ *
+ * Exact: yes. Colours are stored as half floats by default: an error of at most 2^-11 of each
+ * colour and opacity, clamped to [0, 65504]; FLOAT keeps them as they are. Limits: a prop whose
+ * mapper knows nothing of vtkOpenGLRenderPass draws nothing.
+ *
+ * @sa vtkOITPass
+ */
+
 #ifndef vtkOITABufferPass_h
 #define vtkOITABufferPass_h
 
 #include "vtkOITModule.h" // for the export macro
 #include "vtkOITPass.h"
 
+#include <memory> // for the private parts
+
 class VTKOIT_EXPORT vtkOITABufferPass : public vtkOITPass
 {
 public:
   static vtkOITABufferPass* New();
   vtkTypeMacro(vtkOITABufferPass, vtkOITPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   const char* GetAlgorithmName() override { return "A-buffer"; }
-  std::string GetMissingCapability(vtkOpenGLRenderWindow*) override { return {}; }
 
+  /// How colour and opacity of a fragment are stored.
   enum FragmentPrecisionType
   {
-    HALF = 0,
-    FLOAT = 1
+    HALF = 0, ///< four half floats, 16 bytes per fragment with depth and link
+    FLOAT = 1 ///< four floats, 32 bytes per fragment; for high dynamic range, negative colours
   };
+
+  /// HALF (default) or FLOAT.
+  ///@{
   vtkSetClampMacro(FragmentPrecision, int, HALF, FLOAT);
   vtkGetMacro(FragmentPrecision, int);
   void SetFragmentPrecisionToHalf() { this->SetFragmentPrecision(HALF); }
   void SetFragmentPrecisionToFloat() { this->SetFragmentPrecision(FLOAT); }
+  ///@}
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  /// Called by mappers: the change of their shaders, and its uniforms.
+  ///@{
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
+  vtkMTimeType GetShaderStageMTime() override;
+  ///@}
 
 protected:
   vtkOITABufferPass();
   ~vtkOITABufferPass() override;
+
+  void RenderTranslucent(vtkOITFrame& frame) override;
+  std::string FindMissingCapability(const vtkOITCapabilities& capabilities) override;
+
   int FragmentPrecision = HALF;
 
 private:
   vtkOITABufferPass(const vtkOITABufferPass&) = delete;
   void operator=(const vtkOITABufferPass&) = delete;
+
+  vtkTypeInt64 RenderBand(vtkOITFrame& frame);
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
 };
 
 #endif

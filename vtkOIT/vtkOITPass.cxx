@@ -2,37 +2,207 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITPass.h"
 
-#include "vtkRenderState.h"
+#include "Private/vtkOITCapabilities.h"
+#include "Private/vtkOITCompatibility.h"
+#include "Private/vtkOITFrame.h"
+#include "Private/vtkOITSavedState.h"
+#include "Private/vtkOITScreenRectangle.h"
+
+#include "vtkOpenGLError.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderer.h"
 #include "vtkTranslucentPass.h"
 
+//------------------------------------------------------------------------------
 vtkOITPass::vtkOITPass()
 {
   this->TranslucentPass = vtkSmartPointer<vtkTranslucentPass>::New();
 }
 
+//------------------------------------------------------------------------------
 vtkOITPass::~vtkOITPass() = default;
 
+//------------------------------------------------------------------------------
 void vtkOITPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "TranslucentPass: " << this->TranslucentPass.Get() << "\n"
+     << indent << "MaximumNumberOfPeels: " << this->MaximumNumberOfPeels << "\n"
+     << indent << "OcclusionRatio: " << this->OcclusionRatio << "\n"
+     << indent << "MaximumBufferSize: " << this->MaximumBufferSize << "\n"
+     << indent << "NumberOfGeometryPasses: " << this->NumberOfGeometryPasses << "\n"
+     << indent << "NumberOfFragments: " << this->NumberOfFragments << "\n"
+     << indent << "MaximumDepthComplexity: " << this->MaximumDepthComplexity << "\n"
+     << indent << "BufferSizeInBytes: " << this->BufferSizeInBytes << "\n"
+     << indent << "Exact: " << this->Exact << "\n"
+     << indent << "ErrorBound: " << this->ErrorBound << "\n";
 }
 
-void vtkOITPass::Render(const vtkRenderState* state)
-{
-  this->TranslucentPass->Render(state);
-}
-
+//------------------------------------------------------------------------------
 void vtkOITPass::SetTranslucentPass(vtkRenderPass* pass)
 {
-  this->TranslucentPass = pass;
+  if (this->TranslucentPass != pass)
+  {
+    this->TranslucentPass = pass;
+    this->Modified();
+  }
 }
 
+//------------------------------------------------------------------------------
 vtkRenderPass* vtkOITPass::GetTranslucentPass()
 {
   return this->TranslucentPass;
 }
 
+//------------------------------------------------------------------------------
 void vtkOITPass::SetMaximumBufferSize(vtkTypeInt64 bytes)
 {
-  this->MaximumBufferSize = bytes;
+  constexpr vtkTypeInt64 smallest = 1 << 20;
+  if (bytes < 0 || (bytes > 0 && bytes < smallest))
+  {
+    vtkErrorMacro("MaximumBufferSize " << bytes << " is refused; give 0 for no limit, or at least "
+                                       << smallest << " bytes");
+    return;
+  }
+  if (this->MaximumBufferSize != bytes)
+  {
+    this->MaximumBufferSize = bytes;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITPass::GetMissingCapability(vtkOpenGLRenderWindow* window)
+{
+  if (window && !window->GetNeverRendered())
+  {
+    window->MakeCurrent();
+  }
+  return this->FindMissingCapability(vtkOITCapabilities(window));
+}
+
+//------------------------------------------------------------------------------
+const vtkOITCapabilities& vtkOITPass::QueryCapabilities(vtkOpenGLRenderWindow* window)
+{
+  if (!this->Capabilities || this->CapabilitiesWindow != window)
+  {
+    this->Capabilities = std::make_unique<vtkOITCapabilities>(window);
+    this->CapabilitiesWindow = window;
+  }
+  return *this->Capabilities;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPass::ResetStatistics()
+{
+  this->NumberOfRenderedProps = 0;
+  this->NumberOfGeometryPasses = 0;
+  this->NumberOfFragments = 0;
+  this->MaximumDepthComplexity = 0;
+  this->Exact = true;
+  this->ErrorBound = 0.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPass::Render(const vtkRenderState* state)
+{
+  this->ResetStatistics();
+  vtkRenderer* renderer = state->GetRenderer();
+  if (!this->TranslucentPass)
+  {
+    vtkErrorMacro("No TranslucentPass is set; give one with SetTranslucentPass(), e.g. a "
+                  "vtkTranslucentPass");
+    return;
+  }
+  if (renderer->GetSelector())
+  {
+    // A selector draws identifiers, not colours: nothing to sort.
+    this->TranslucentPass->Render(state);
+    this->NumberOfRenderedProps = this->TranslucentPass->GetNumberOfRenderedProps();
+    return;
+  }
+
+  vtkOITFrame frame(state, vtkOITFindTranslucentProps(state));
+  if (frame.GetState()->GetPropArrayCount() == 0)
+  {
+    return;
+  }
+  if (!frame.Window)
+  {
+    this->RenderUnsorted(state, "the renderer's window is not a vtkOpenGLRenderWindow");
+    return;
+  }
+  vtkOpenGLClearErrorMacro();
+
+  frame.Capabilities = &this->QueryCapabilities(frame.Window);
+  const std::string missing = this->FindMissingCapability(*frame.Capabilities);
+  if (!missing.empty())
+  {
+    this->RenderUnsorted(state, missing);
+    return;
+  }
+
+  GLint viewport[4];
+  glGetIntegerv(GL_VIEWPORT, viewport);
+  frame.Rectangle = vtkOITFindScreenRectangle(renderer,
+    { frame.GetState()->GetPropArray(),
+      frame.GetState()->GetPropArray() + frame.GetState()->GetPropArrayCount() },
+    { viewport[0], viewport[1], viewport[2], viewport[3] });
+  if (glIsEnabled(GL_SCISSOR_TEST))
+  {
+    GLint scissor[4];
+    glGetIntegerv(GL_SCISSOR_BOX, scissor);
+    frame.Rectangle =
+      frame.Rectangle.Intersect({ scissor[0], scissor[1], scissor[2], scissor[3] });
+  }
+  if (frame.Rectangle.IsEmpty())
+  {
+    return;
+  }
+  {
+    const vtkOITSavedState saved(frame.GLState, frame.Capabilities->HasStorage());
+    frame.Target = vtkOITTarget::Query();
+    this->RenderTranslucent(frame);
+  }
+  vtkOpenGLCheckErrorMacro("failed after Render");
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPass::RenderUnsorted(const vtkRenderState* state, const std::string& reason)
+{
+  if (this->ReportedReason != reason)
+  {
+    vtkWarningMacro("Translucent props are blended unsorted: " << reason);
+    this->ReportedReason = reason;
+  }
+  this->TranslucentPass->Render(state);
+  this->NumberOfRenderedProps = this->TranslucentPass->GetNumberOfRenderedProps();
+  this->NumberOfGeometryPasses = 1;
+  this->NumberOfFragments = -1;
+  this->MaximumDepthComplexity = -1;
+  this->Exact = false;
+  this->ErrorBound = 1.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPass::RenderGeometry(vtkOITFrame& frame)
+{
+  this->PreRender(frame.GetState());
+  this->TranslucentPass->Render(frame.GetState());
+  this->PostRender(frame.GetState());
+  this->NumberOfRenderedProps = this->TranslucentPass->GetNumberOfRenderedProps();
+  ++this->NumberOfGeometryPasses;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (this->TranslucentPass)
+  {
+    this->TranslucentPass->ReleaseGraphicsResources(window);
+  }
+  this->Capabilities.reset();
+  this->CapabilitiesWindow = nullptr;
+  this->BufferSizeInBytes = 0;
+  this->Superclass::ReleaseGraphicsResources(window);
 }

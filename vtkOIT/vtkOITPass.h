@@ -32,8 +32,11 @@
 #include "vtkOpenGLRenderPass.h"
 #include "vtkSmartPointer.h" // for the delegate
 
+#include <memory> // for the capabilities
 #include <string> // for GetMissingCapability
 
+class vtkOITCapabilities;
+class vtkOITFrame;
 class vtkOpenGLRenderWindow;
 class vtkWindow;
 
@@ -44,6 +47,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   void Render(const vtkRenderState* state) override;
+
+  /// Frees what the pass holds on the window's context. Call it, or destroy the pass, before the
+  /// window is destroyed; a renderer does so for the passes it was given.
+  void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /// The delegate that draws the translucent props once per geometry pass. Default: a
   /// vtkTranslucentPass. nullptr is an error at render time.
@@ -57,7 +64,7 @@ public:
 
   /// Empty when this method runs in the window's context, otherwise one line that says what is
   /// missing. The window's context must have been created (Render() called once).
-  virtual std::string GetMissingCapability(vtkOpenGLRenderWindow* window) = 0;
+  std::string GetMissingCapability(vtkOpenGLRenderWindow* window);
 
   /// Meaning as in vtkRenderer: the largest number of geometry passes spent on peeling, 0 for no
   /// limit (default). Methods that do not peel ignore it.
@@ -101,10 +108,20 @@ protected:
   vtkOITPass();
   ~vtkOITPass() override;
 
+  /// Step 3 of a frame. State is saved before and restored after.
+  virtual void RenderTranslucent(vtkOITFrame& frame) = 0;
+
+  /// Empty, or one line that says what the context lacks for this method.
+  virtual std::string FindMissingCapability(const vtkOITCapabilities& capabilities) = 0;
+
+  /// One geometry pass: the delegate draws the frame's translucent props, with this pass among
+  /// their vtkOpenGLRenderPass::RenderPasses(), so that their shaders are changed by it.
+  void RenderGeometry(vtkOITFrame& frame);
+
   vtkSmartPointer<vtkRenderPass> TranslucentPass;
   int MaximumNumberOfPeels = 0;
   double OcclusionRatio = 0.0;
-  vtkTypeInt64 MaximumBufferSize = 0;
+  vtkTypeInt64 MaximumBufferSize = 0; // bytes
 
   int NumberOfGeometryPasses = 0;
   vtkTypeInt64 NumberOfFragments = 0;
@@ -114,6 +131,14 @@ protected:
   double ErrorBound = 0.0;
 
 private:
+  void ResetStatistics();
+  void RenderUnsorted(const vtkRenderState* state, const std::string& reason);
+  const vtkOITCapabilities& QueryCapabilities(vtkOpenGLRenderWindow* window);
+
+  std::unique_ptr<vtkOITCapabilities> Capabilities; // of CapabilitiesWindow
+  vtkOpenGLRenderWindow* CapabilitiesWindow = nullptr;
+  std::string ReportedReason; // so that each reason is reported once, not every frame
+
   vtkOITPass(const vtkOITPass&) = delete;
   void operator=(const vtkOITPass&) = delete;
 };

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkOITABufferShaders.h"
+
+#include "vtkOITShaderText.h"
+
+#include "vtkOITABufferPassGatherFS.h"
+#include "vtkOITABufferPassNodeFS.h"
+#include "vtkOITABufferPassPresortFS.h"
+#include "vtkOITABufferPassResolveFS.h"
+#include "vtkOITABufferPassSortFS.h"
+
+#include <tuple>
+
+//------------------------------------------------------------------------------
+bool vtkOITABufferShaders::operator==(const vtkOITABufferShaders& other) const
+{
+  const auto tie = [](const vtkOITABufferShaders& s) {
+    return std::tie(
+      s.Samples, s.FloatColor, s.NodesInImage, s.FramebufferFetch, s.PostDepthCoverage);
+  };
+  return tie(*this) == tie(other);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITABufferShaders::GetDefinitions() const
+{
+  std::string text = "#define OIT_SAMPLES " + std::to_string(this->Samples) + "\n";
+  text += this->HasWideNodes() ? "#define OIT_WIDE_NODES\n" : "";
+  text += this->FloatColor ? "#define OIT_FLOAT_COLOR\n" : "";
+  text += this->NodesInImage ? "#define OIT_NODES_IN_IMAGE\n" : "";
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITABufferShaders::GetHeader() const
+{
+  return vtkOITRequireExtensions({ "GL_ARB_shader_image_load_store",
+           "GL_ARB_shader_storage_buffer_object", "GL_ARB_shading_language_420pack",
+           "GL_ARB_gpu_shader5" }) +
+    this->GetDefinitions();
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITABufferShaders::WrapGather(std::string& fragmentShader) const
+{
+  const bool writesDepth = vtkOITWritesDepth(fragmentShader);
+  std::string header = this->GetHeader();
+  if (writesDepth)
+  {
+    header += "#define OIT_WRITES_DEPTH\n";
+  }
+  if (writesDepth || this->NeedsDepthTest())
+  {
+    header += "#define OIT_TEST_DEPTH\n";
+  }
+  if (!writesDepth)
+  {
+    if (this->Samples > 0 && this->PostDepthCoverage)
+    {
+      header = vtkOITRequireExtensions({ "GL_ARB_post_depth_coverage" }) + header +
+        "layout(post_depth_coverage) in;\n";
+    }
+    header += "layout(early_fragment_tests) in;\n";
+  }
+  return vtkOITWrapFragmentShader(fragmentShader, header,
+    std::string(vtkOITABufferPassNodeFS) + vtkOITABufferPassGatherFS);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITABufferShaders::Assemble(const char* stage, const std::string& header) const
+{
+  std::string text = stage;
+  vtkOITReplace(text, "//VTK::System::Dec", "//VTK::System::Dec\n" + header);
+  vtkOITReplace(text, "//VTK::OIT::Node", vtkOITABufferPassNodeFS);
+  vtkOITReplace(text, "//VTK::OIT::Sort", vtkOITABufferPassSortFS);
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITABufferShaders::GetResolve() const
+{
+  std::string header = this->GetHeader();
+  if (this->Samples > 0)
+  {
+    header = vtkOITRequireExtensions({ "GL_ARB_sample_shading" }) + header;
+  }
+  if (this->FramebufferFetch)
+  {
+    header = vtkOITRequireExtensions({ "GL_EXT_shader_framebuffer_fetch" }) +
+      "#define OIT_FRAMEBUFFER_FETCH\n" + header;
+  }
+  std::string text = this->Assemble(vtkOITABufferPassResolveFS, header);
+  vtkOITReplace(text, "//VTK::OIT::Registers", vtkOITRegisterResolve({ 8, 16, 32 }));
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITABufferShaders::GetPresort() const
+{
+  return this->Assemble(vtkOITABufferPassPresortFS, this->GetHeader());
+}

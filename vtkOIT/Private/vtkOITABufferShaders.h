@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkOITABufferShaders_h
+#define vtkOITABufferShaders_h
+
+#include <string>
+
+/**
+ * The variant of the A-buffer's shaders that a frame needs, and their text. Changes only when the
+ * pass's properties, the kind of framebuffer or the kind of pool change.
+ */
+struct vtkOITABufferShaders
+{
+  int Samples = 0;
+  bool FloatColor = false;
+  bool NodesInImage = false;
+  bool FramebufferFetch = false;
+  bool PostDepthCoverage = false;
+
+  bool operator==(const vtkOITABufferShaders& other) const;
+  bool operator!=(const vtkOITABufferShaders& other) const { return !(*this == other); }
+
+  /// A node takes two texels instead of one.
+  bool HasWideNodes() const { return this->FloatColor || this->Samples > 0; }
+  int GetBytesPerNode() const { return this->HasWideNodes() ? 32 : 16; }
+
+  /// Multisampled: the coverage after the depth test is not known to a shader, so it tests itself.
+  bool NeedsDepthTest() const { return this->Samples > 0 && !this->PostDepthCoverage; }
+
+  /// Changes a mapper's fragment shader into the Gather stage. False when it has no main().
+  bool WrapGather(std::string& fragmentShader) const;
+  std::string GetResolve() const;
+  std::string GetPresort() const;
+
+private:
+  std::string GetDefinitions() const;
+  std::string GetHeader() const;
+  std::string Assemble(const char* stage, const std::string& header) const;
+};
+
+#endif

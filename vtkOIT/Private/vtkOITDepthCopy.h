@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkOITDepthCopy_h
+#define vtkOITDepthCopy_h
+
+#include "vtkOITCompatibility.h"
+#include "vtkOITContextObjects.h"
+#include "vtkOITFrame.h"
+
+#include <cstdint>
+
+class vtkOpenGLState;
+
+/**
+ * A texture with the depth of the bound framebuffer, for shaders that must do the depth test
+ * themselves. It has exactly the format of the depth buffer, which glBlitFramebuffer asks for, and
+ * its number of samples.
+ */
+class vtkOITDepthCopy : public vtkOITContextObjects
+{
+public:
+  ~vtkOITDepthCopy() override { this->Release(); }
+
+  /// Copies the frame's rectangle out of the framebuffer bound for drawing, whose bindings are
+  /// left as they are; only what the scissor test leaves of it. The texel (x, y) is the
+  /// framebuffer's pixel (x, y). Ends with the texture bound to `unit`, numbered from 0.
+  void Copy(const vtkOITFrame& frame, int unit);
+  void Unbind(vtkOpenGLState* state, int unit) const;
+
+  std::int64_t GetSizeInBytes() const;
+
+private:
+  void Delete() override;
+  void Forget() override;
+  void Allocate(const vtkOITFrame& frame, int unit);
+
+  GLuint Texture = 0;
+  GLuint Framebuffer = 0;
+  GLenum Target = GL_TEXTURE_2D;
+  GLenum Format = 0;
+  int Samples = 0;
+  int Width = 0;
+  int Height = 0;
+};
+
+#endif

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkOITShaderText.h"
+
+#include <regex>
+#include <sstream>
+
+namespace
+{
+/// Batcher's odd-even merge sort, as compare-exchanges of registers. `size` is a power of two.
+void WriteSortingNetwork(std::ostream& os, int size)
+{
+  for (int p = 1; p < size; p *= 2)
+  {
+    for (int k = p; k >= 1; k /= 2)
+    {
+      for (int j = k % p; j + k < size; j += 2 * k)
+      {
+        for (int i = j; i < j + k && i + k < size; ++i)
+        {
+          if (i / (2 * p) == (i + k) / (2 * p))
+          {
+            os << "OIT_COMPARE_EXCHANGE(" << i << ", " << i + k << ")\n";
+          }
+        }
+      }
+    }
+  }
+}
+
+void WriteSortAndBlend(std::ostream& os, int size)
+{
+  os << "if (node == OIT_END)\n{\n";
+  WriteSortingNetwork(os, size);
+  for (int i = 0; i + 1 < size; ++i)
+  {
+    os << "OIT_NOTE_TIE(" << i << ", " << i + 1 << ")\n";
+  }
+  for (int i = 0; i < size; ++i)
+  {
+    os << "OIT_BLEND(" << i << ")\n";
+  }
+  os << "}\n";
+}
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITRequireExtensions(std::initializer_list<const char*> names)
+{
+  std::string text;
+  for (const char* name : names)
+  {
+    text += std::string("#extension ") + name + " : require\n";
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITReplace(std::string& text, const std::string& from, const std::string& to)
+{
+  bool found = false;
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at))
+  {
+    text.replace(at, from.size(), to);
+    at += to.size();
+    found = true;
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITWrapFragmentShader(
+  std::string& shader, const std::string& header, const std::string& stage)
+{
+  static const std::regex mainFunction(R"(\bvoid\s+main\s*\(\s*(void)?\s*\))");
+  if (!std::regex_search(shader, mainFunction))
+  {
+    return false;
+  }
+  shader = std::regex_replace(shader, mainFunction, "void oitShade()");
+  vtkOITReplace(shader, "gl_FragData[0]", "oitFragColor");
+  vtkOITReplace(shader, "fragOutput0", "oitFragColor");
+  vtkOITReplace(shader, "//VTK::System::Dec", "//VTK::System::Dec\n" + header + "vec4 oitFragColor;\n");
+  shader += "\n" + stage;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITWritesDepth(const std::string& fragmentShader)
+{
+  // VTK's template names gl_FragDepth in a comment.
+  std::istringstream lines(fragmentShader);
+  std::string line;
+  while (std::getline(lines, line))
+  {
+    if (line.substr(0, line.find("//")).find("gl_FragDepth") != std::string::npos)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITRegisterResolve(std::initializer_list<int> sizes)
+{
+  std::ostringstream os;
+  int loaded = 0;
+  for (int size : sizes)
+  {
+    if (loaded > 0)
+    {
+      os << "OIT_IF_ANY(node != OIT_END)\n{\n";
+    }
+    for (; loaded < size; ++loaded)
+    {
+      os << "OIT_LOAD(" << loaded << ")\n";
+    }
+    WriteSortAndBlend(os, size);
+  }
+  for (std::size_t i = 1; i < sizes.size(); ++i)
+  {
+    os << "}\n";
+  }
+  return os.str();
+}

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkOITShaderText_h
+#define vtkOITShaderText_h
+
+#include <initializer_list>
+#include <string>
+
+/// Lines `#extension NAME : require`.
+std::string vtkOITRequireExtensions(std::initializer_list<const char*> names);
+
+/// Replaces every `from`; true when there was one.
+bool vtkOITReplace(std::string& text, const std::string& from, const std::string& to);
+
+/**
+ * Turns the main() of a VTK fragment shader into `void oitShade()`, its colour output into the
+ * variable `vec4 oitFragColor`, and appends `stage`, which must bring a new main(). `header` goes
+ * to the top, after #version. Works with any shader text, also an application's own, because it
+ * relies on none of VTK's substitution sites inside of main(). False when there is no main().
+ */
+bool vtkOITWrapFragmentShader(
+  std::string& shader, const std::string& header, const std::string& stage);
+
+/// True when the shader assigns gl_FragDepth.
+bool vtkOITWritesDepth(const std::string& fragmentShader);
+
+/**
+ * The text `//VTK::OIT::Registers` of vtkOITABufferPassResolveFS.glsl: loads, sorts and blends up
+ * to `sizes.back()` fragments in registers, one network per size (powers of two, ascending).
+ */
+std::string vtkOITRegisterResolve(std::initializer_list<int> sizes);
+
+#endif

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Capture: the mapper's own shader, renamed oitShade(), leaves its colour in oitFragColor; this
+// main() prepends it to the list of the pixel.
+//
+// The hardware's depth test against the opaque geometry runs before (early_fragment_tests), so a
+// fragment gets here exactly when plain blending would draw it. Shaders that write gl_FragDepth
+// cannot have that: OIT_TEST_DEPTH, they compare with a copy of the depth buffer.
+
+#ifdef OIT_TEST_DEPTH
+#if OIT_SAMPLES > 0
+uniform sampler2DMS oitOpaqueDepth;
+#else
+uniform sampler2D oitOpaqueDepth;
+#endif
+uniform int oitDepthBits; // of a fixed-point depth buffer of at most 24 bits, otherwise 0
+
+// As the depth test GL_LEQUAL sees it: both sides in the bits of the depth buffer.
+bool oitPassesDepthTest(float depth, float opaqueDepth)
+{
+  if (oitDepthBits == 0)
+  {
+    return depth <= opaqueDepth;
+  }
+  float scale = float((1 << oitDepthBits) - 1);
+  // Products of 2^23 and more are integers already; adding 0.5 would round some of them up.
+  vec2 product = vec2(depth, opaqueDepth) * scale;
+  vec2 rounded = mix(floor(product + 0.5), product, greaterThanEqual(product, vec2(8388608.0)));
+  return rounded.x <= rounded.y;
+}
+#endif
+
+#ifdef OIT_WRITES_DEPTH
+#define OIT_DEPTH gl_FragDepth
+#else
+#define OIT_DEPTH gl_FragCoord.z
+#endif
+
+void main()
+{
+  oitShade();
+
+  float alpha = min(oitFragColor.a, 1.0);
+  if (!(alpha > 0.0)) // NaN, too: a layer without opacity leaves no trace
+  {
+    return;
+  }
+  float depth = clamp(OIT_DEPTH, 0.0, 1.0);
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+
+#if OIT_SAMPLES > 0
+  uint mask = uint(gl_SampleMaskIn[0]);
+#ifdef OIT_TEST_DEPTH
+  for (int s = 0; s < OIT_SAMPLES; ++s)
+  {
+    if (!oitPassesDepthTest(depth, texelFetch(oitOpaqueDepth, pixel, s).r))
+    {
+      mask &= ~(1u << uint(s));
+    }
+  }
+#endif
+  if (mask == 0u)
+  {
+    return;
+  }
+#elif defined(OIT_TEST_DEPTH)
+  if (!oitPassesDepthTest(depth, texelFetch(oitOpaqueDepth, pixel, 0).r))
+  {
+    return;
+  }
+#endif
+
+  uint node = atomicAdd(oitFragmentCount, 1u);
+  if (node >= uint(oitCapacity))
+  {
+    if (node == uint(oitCapacity))
+    {
+      oitOverflow = 1u;
+    }
+    return;
+  }
+  uint next = imageAtomicExchange(oitHeads, pixel - oitOrigin, node);
+  uint key = floatBitsToUint(depth) & 0x7fffffffu; // -0 as +0
+  OITColor color = oitPack(vec4(oitFragColor.rgb, alpha));
+#ifdef OIT_WIDE_NODES
+#if OIT_SAMPLES > 0
+  oitStore(2u * node, uvec4(key, mask, 0u, next));
+#else
+  oitStore(2u * node, uvec4(key, 0u, 0u, next));
+#endif
+#ifdef OIT_FLOAT_COLOR
+  oitStore(2u * node + 1u, color);
+#else
+  oitStore(2u * node + 1u, uvec4(color, 0u, 0u));
+#endif
+#else
+  oitStore(node, uvec4(key, color, next));
+#endif
+}

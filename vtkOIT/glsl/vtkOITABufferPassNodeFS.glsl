@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Storage of the A-buffer, shared by the stages Gather, Sort and Resolve.
+//
+// A pixel's fragments are a linked list of nodes in capture order; oitHeads holds its first node.
+// A node is one uvec4 (two with OIT_WIDE_NODES): one store instruction instead of several is what
+// makes capture cheap on a CPU.
+//
+//   narrow  [0] = depth key, colour rg, colour ba, next node
+//   wide    [0] = depth key, sample mask, unused, next node   [1] = colour
+//
+// Defined by the pass: OIT_WIDE_NODES, OIT_FLOAT_COLOR, OIT_NODES_IN_IMAGE (the pool is larger than
+// a storage block may be, so it is reached as a buffer texture), OIT_SAMPLES.
+
+const uint OIT_END = 0xffffffffu;
+const uint OIT_NO_KEY = 0xffffffffu; // sorts behind every depth
+
+#ifdef OIT_FLOAT_COLOR
+#define OITColor uvec4
+#else
+#define OITColor uvec2
+#endif
+
+layout(binding = 0, r32ui) uniform uimage2D oitHeads;
+
+layout(std430, binding = 0) buffer OITCounters
+{
+  uint oitFragmentCount; // goes on counting beyond the capacity: the size that is needed
+  uint oitOverflow;      // set once the capacity is passed, stays when the count wraps
+  uint oitMaximumDepthComplexity;
+};
+
+uniform int oitCapacity;  // nodes
+uniform ivec2 oitOrigin;  // framebuffer pixel of oitHeads' texel (0, 0)
+
+#ifdef OIT_NODES_IN_IMAGE
+layout(binding = 1, rgba32ui) uniform uimageBuffer oitNodes;
+uvec4 oitLoad(uint word) { return imageLoad(oitNodes, int(word)); }
+void oitStore(uint word, uvec4 value) { imageStore(oitNodes, int(word), value); }
+void oitStoreNext(uint word, uint next)
+{
+  uvec4 value = imageLoad(oitNodes, int(word));
+  value.w = next;
+  imageStore(oitNodes, int(word), value);
+}
+#else
+layout(std430, binding = 1) buffer OITNodes
+{
+  uvec4 oitNodes[];
+};
+uvec4 oitLoad(uint word) { return oitNodes[word]; }
+void oitStore(uint word, uvec4 value) { oitNodes[word] = value; }
+void oitStoreNext(uint word, uint next) { oitNodes[word].w = next; }
+#endif
+
+#ifdef OIT_WIDE_NODES
+#define OIT_WORD(node) (2u * (node))
+#else
+#define OIT_WORD(node) (node)
+#endif
+
+// Colour to and from half floats, rounded to nearest. The built-in packHalf2x16 costs three times
+// as much on llvmpipe, and truncates there. Values are clamped to [0, 65504]; 2^-14 is the smallest
+// normal half, below it the bits count units of 2^-24.
+#ifdef OIT_FLOAT_COLOR
+OITColor oitPack(vec4 color) { return floatBitsToUint(color); }
+vec4 oitUnpack(OITColor bits) { return uintBitsToFloat(bits); }
+#else
+OITColor oitPack(vec4 color)
+{
+  const float smallest = 6.103515625e-5;
+  vec4 c = min(max(color, vec4(0.0)), vec4(65504.0));
+  uvec4 normal = (floatBitsToUint(max(c, vec4(smallest))) - 0x37fff000u) >> 13u;
+  uvec4 bits = normal - 0x400u + uvec4(min(c, vec4(smallest)) * 16777216.0 + 0.5);
+  return bits.xz | (bits.yw << 16u);
+}
+vec4 oitUnpack(OITColor bits)
+{
+  uvec4 h = uvec4(bits.x & 0xffffu, bits.x >> 16u, bits.y & 0xffffu, bits.y >> 16u);
+  vec4 normal = uintBitsToFloat((h << 13u) + 0x38000000u);
+  vec4 denormal = vec4(h) * 5.9604644775390625e-8;
+  return mix(normal, denormal, lessThan(h, uvec4(0x400u)));
+}
+#endif
