@@ -13,7 +13,8 @@ set(vtkoit_vtk_components
   CommonDataModel
   CommonExecutionModel
   RenderingCore
-  RenderingOpenGL2)
+  RenderingOpenGL2
+  RenderingUI)
 set(vtkoit_vtk_test_components
   FiltersCore
   FiltersExtraction
@@ -30,7 +31,6 @@ set(vtkoit_vtk_test_components
   InteractionStyle
   RenderingAnnotation
   RenderingFreeType
-  RenderingUI
   RenderingVolume
   RenderingVolumeOpenGL2
   TestingCore

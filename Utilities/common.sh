@@ -92,10 +92,16 @@ fetch_package_lists()
   as_root apt-get -qq update || fail "apt-get update failed; check the network and apt's sources"
 }
 
+# Packages chatter while they are set up; only a failure is worth reading.
 apt_install()
 {
+  chatter=$(mktemp)
+  status=0
   as_root env DEBIAN_FRONTEND=noninteractive \
-    apt-get -qq install --yes --no-install-recommends -o Dpkg::Use-Pty=0 "$@" >/dev/null
+    apt-get -qq install --yes --no-install-recommends "$@" >"$chatter" 2>&1 || status=$?
+  [ "$status" = 0 ] || cat "$chatter" >&2
+  rm -f "$chatter"
+  return "$status"
 }
 
 # quietly LOG COMMAND...: the output goes to the file, and to the terminal when the command fails.
