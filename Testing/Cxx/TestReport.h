@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Counts what a test checks and says each result in numbers.
+ */
+
+#ifndef TestReport_h
+#define TestReport_h
+
+#include "ReferenceCompositor.h"
+#include "TestImage.h"
+
+#include <functional>
+#include <string>
+
+namespace vtkOITTest
+{
+class TestReport
+{
+public:
+  /// The RGBA that is right for a pixel.
+  using Expected = std::function<glm::dvec4(int x, int y)>;
+
+  /// Prefix of every line, for example the method and the way it is used.
+  void SetContext(const std::string& context) { this->Context = context; }
+
+  /// Records a condition; prints the message only when it does not hold.
+  bool Check(bool condition, const std::string& message);
+
+  /// Every pixel within the tolerance of its expected value, colour and alpha; prints the largest
+  /// and the mean differences.
+  bool Compare(const std::string& what, const Image& image, const Expected& expected,
+    const Tolerance& tolerance);
+  bool Compare(const std::string& what, const Image& image, const Image& expected,
+    const Tolerance& tolerance);
+
+  /// Every pixel has the same bits.
+  bool CompareBits(const std::string& what, const Image& image, const Image& expected);
+
+  /// 0 when at least one thing was checked and all of it held.
+  int GetExitStatus() const;
+
+private:
+  std::string Context;
+  int NumberOfChecks = 0;
+  int NumberOfFailures = 0;
+};
+}
+
+#endif
