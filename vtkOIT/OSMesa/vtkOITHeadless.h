@@ -10,9 +10,9 @@
  *    on, and every vtkRenderWindowInteractor::New() an interactor without a window system. The
  *    distribution's VTK, built for X, is used as it is: its OpenGL calls are redirected to
  *    libOSMesa.so.8, in whatever order the libraries were linked, loaded or imported.
- * 2. With VTK 9.4 and later VTK's own window of OSMesa is chosen where libOSMesa.so.8 can be opened,
- *    and its window of EGL where it cannot; EGL needs no display either. The environment variable
- *    VTK_DEFAULT_OPENGL_WINDOW is set to that choice within the process.
+ * 2. With VTK 9.4 and later VTK's own window of OSMesa is chosen where libOSMesa.so.8 can be
+ *    opened, and otherwise VTK's window of EGL, which needs no display either. The environment
+ *    variable VTK_DEFAULT_OPENGL_WINDOW is set to the choice, for this process only.
  *
  * No environment needs to be set. Windows that show something on a screen cannot be made in the
  * same process after a successful call under 1.

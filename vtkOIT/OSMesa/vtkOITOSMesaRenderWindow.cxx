@@ -145,10 +145,9 @@ bool vtkOITOSMesaRenderWindow::Prepare()
   this->GetState()->vtkglGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
   if (std::max(this->Size[0], this->Size[1]) > limit)
   {
-    vtkErrorMacro("nothing is drawn: the window has " << this->Size[0] << " by " << this->Size[1]
-                                                      << " pixels and OpenGL takes at most "
-                                                      << limit << " by " << limit
-                                                      << "; set a smaller size.");
+    vtkErrorMacro("nothing is drawn: the window has "
+      << this->Size[0] << " by " << this->Size[1] << " pixels and OpenGL takes at most " << limit
+      << " by " << limit << "; set a smaller size.");
     return false;
   }
   return true;
@@ -262,8 +261,9 @@ bool vtkOITOSMesaRenderWindow::HasFrame()
 int vtkOITOSMesaRenderWindow::ReadPixels(
   const vtkRecti& rectangle, int front, int format, int type, void* data, int right)
 {
-  return this->HasFrame() ? this->Superclass::ReadPixels(rectangle, front, format, type, data, right)
-                          : VTK_ERROR;
+  return this->HasFrame()
+    ? this->Superclass::ReadPixels(rectangle, front, format, type, data, right)
+    : VTK_ERROR;
 }
 
 //------------------------------------------------------------------------------

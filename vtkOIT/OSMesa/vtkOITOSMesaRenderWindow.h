@@ -4,10 +4,10 @@
  * @class   vtkOITOSMesaRenderWindow
  * @brief   a render window that lives in memory and draws with OSMesa
  *
- * For VTK 9.1 to 9.3 as distributions build them, for X only; later versions of VTK have a window of
- * their own for this. vtkOITHeadless::Initialize() makes vtkRenderWindow::New() give this class.
+ * For VTK 9.1 to 9.3 as distributions build them, for X only; later versions of VTK have a window
+ * of their own for this. vtkOITHeadless::Initialize() makes vtkRenderWindow::New() give this class.
  *
- * 1. The first Render() makes an OpenGL context of OSMesa, core profile, of the highest version that
+ * 1. The first Render() makes an OpenGL context of OSMesa: core profile, the highest version that
  *    the library has (4.5 with Mesa's llvmpipe).
  * 2. VTK draws into its own framebuffer objects; there is nothing else to show or to copy to.
  *    SetShowWindow() and SetUseOffScreenBuffers() are accepted and change nothing in the picture.
@@ -87,8 +87,8 @@ public:
   int SetPixelData(
     int x1, int y1, int x2, int y2, unsigned char* data, int front, int right = 0) override;
   using vtkOpenGLRenderWindow::SetRGBAPixelData;
-  int SetRGBAPixelData(int x1, int y1, int x2, int y2, float* data, int front, int blend = 0,
-    int right = 0) override;
+  int SetRGBAPixelData(
+    int x1, int y1, int x2, int y2, float* data, int front, int blend = 0, int right = 0) override;
   using vtkOpenGLRenderWindow::SetRGBACharPixelData;
   int SetRGBACharPixelData(int x1, int y1, int x2, int y2, unsigned char* data, int front,
     int blend = 0, int right = 0) override;
@@ -104,8 +104,8 @@ protected:
   void DestroyWindow() override;
   /// Nothing: there is no hardware to blit to.
   void BlitDisplayFramebuffersToHardware() override {}
-  int ReadPixels(const vtkRecti& rectangle, int front, int format, int type, void* data,
-    int right = 0) override;
+  int ReadPixels(
+    const vtkRecti& rectangle, int front, int format, int type, void* data, int right = 0) override;
 
 private:
   vtkOITOSMesaRenderWindow(const vtkOITOSMesaRenderWindow&) = delete;

@@ -21,8 +21,8 @@ vtkObject* CreateAs()
 //------------------------------------------------------------------------------
 vtkOITOSMesaFactory::vtkOITOSMesaFactory()
 {
-  this->RegisterOverride("vtkRenderWindow", "vtkOITOSMesaRenderWindow",
-    "render window of OSMesa", 1, CreateAs<vtkOITOSMesaRenderWindow>);
+  this->RegisterOverride("vtkRenderWindow", "vtkOITOSMesaRenderWindow", "render window of OSMesa",
+    1, CreateAs<vtkOITOSMesaRenderWindow>);
   // VTK's interactor for X talks to the X server of its window, which ours does not have.
   this->RegisterOverride("vtkRenderWindowInteractor", "vtkGenericRenderWindowInteractor",
     "interactor without a window system", 1, CreateAs<vtkGenericRenderWindowInteractor>);

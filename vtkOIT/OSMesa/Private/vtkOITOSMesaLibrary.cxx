@@ -19,13 +19,13 @@ vtkOITOSMesaLibrary::vtkOITOSMesaLibrary()
   {
     const char* reason = dlerror();
     this->Error = std::string(LibraryName) + " cannot be opened (" +
-      (reason ? reason : "no reason given") +
-      "); install OSMesa (Debian and Ubuntu: libosmesa6)";
+      (reason ? reason : "no reason given") + "); install OSMesa (Debian and Ubuntu: libosmesa6)";
     return;
   }
 
   const char* missing = nullptr;
-  const auto find = [&](auto& function, const char* name) {
+  const auto find = [&](auto& function, const char* name)
+  {
     void* address = dlsym(library, name);
     if (!address && !missing)
     {

@@ -16,6 +16,14 @@ namespace
 {
 using Function = vtkOITOSMesaLibrary::Function;
 
+// ELF's types, of 32 or 64 bits.
+using Address = ElfW(Addr);
+using Entry = ElfW(Dyn);
+using Header = ElfW(Phdr);
+using RelocationWithAddend = ElfW(Rela);
+using RelocationWithoutAddend = ElfW(Rel);
+using Symbol = ElfW(Sym);
+
 //------------------------------------------------------------------------------
 // What GLEW asks of GLX. It wants a display that is not null and never looks into it.
 int DisplayStandIn;
@@ -45,27 +53,41 @@ const char* GetClientString(void*, int)
   return "";
 }
 
+struct StandIn
+{
+  const char* Name;
+  Function Replacement;
+};
+
+const StandIn StandIns[] = {
+  { "glXGetClientString", reinterpret_cast<Function>(&GetClientString) },
+  { "glXGetCurrentDisplay", reinterpret_cast<Function>(&GetCurrentDisplay) },
+  { "glXGetProcAddress", reinterpret_cast<Function>(&GetProcAddress) },
+  { "glXGetProcAddressARB", reinterpret_cast<Function>(&GetProcAddress) },
+  { "glXQueryVersion", reinterpret_cast<Function>(&QueryVersion) },
+};
+
 //------------------------------------------------------------------------------
 // The function to call instead of the one of this name; null to leave the call as it is.
 Function GetReplacement(const char* name)
 {
+  // OpenGL's names only: libraries have ten thousands of others.
   if (name[0] != 'g' || name[1] != 'l' || name[2] < 'A' || name[2] > 'Z')
   {
     return nullptr;
   }
-  if (name[2] == 'X')
+  if (name[2] != 'X')
   {
-    return std::strcmp(name, "glXGetProcAddressARB") == 0 ||
-        std::strcmp(name, "glXGetProcAddress") == 0
-      ? reinterpret_cast<Function>(&GetProcAddress)
-      : std::strcmp(name, "glXQueryVersion") == 0 ? reinterpret_cast<Function>(&QueryVersion)
-      : std::strcmp(name, "glXGetClientString") == 0
-      ? reinterpret_cast<Function>(&GetClientString)
-      : std::strcmp(name, "glXGetCurrentDisplay") == 0
-      ? reinterpret_cast<Function>(&GetCurrentDisplay)
-      : nullptr;
+    return vtkOITOSMesaLibrary::Get().GetProcAddress(name);
   }
-  return vtkOITOSMesaLibrary::Get().GetProcAddress(name);
+  for (const StandIn& standIn : StandIns)
+  {
+    if (std::strcmp(name, standIn.Name) == 0)
+    {
+      return standIn.Replacement;
+    }
+  }
+  return nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -91,7 +113,7 @@ unsigned long GetSymbolIndex(const Relocation& relocation)
 // A table of relocations: DT_JMPREL, DT_RELA or DT_REL.
 struct Table
 {
-  ElfW(Addr) Start = 0;
+  Address Start = 0;
   size_t Size = 0;
 };
 
@@ -105,15 +127,15 @@ public:
   {
     for (int i = 0; i < info.dlpi_phnum; ++i)
     {
-      const ElfW(Phdr)& header = info.dlpi_phdr[i];
+      const Header& header = info.dlpi_phdr[i];
       if (header.p_type == PT_DYNAMIC)
       {
-        this->Dynamic = reinterpret_cast<const ElfW(Dyn)*>(this->Base + header.p_vaddr);
+        this->Dynamic = reinterpret_cast<const Entry*>(this->Base + header.p_vaddr);
       }
       else if (header.p_type == PT_GNU_RELRO)
       {
-        const ElfW(Addr) page = static_cast<ElfW(Addr)>(sysconf(_SC_PAGESIZE));
-        const ElfW(Addr) start = this->Base + header.p_vaddr;
+        const Address page = static_cast<Address>(sysconf(_SC_PAGESIZE));
+        const Address start = this->Base + header.p_vaddr;
         this->ReadOnlyStart = start & ~(page - 1);
         this->ReadOnlyEnd = (start + header.p_memsz) & ~(page - 1);
       }
@@ -134,7 +156,7 @@ public:
     {
       return true;
     }
-    for (const ElfW(Dyn)* entry = this->Dynamic; entry->d_tag != DT_NULL; ++entry)
+    for (const Entry* entry = this->Dynamic; entry->d_tag != DT_NULL; ++entry)
     {
       if ((entry->d_tag == DT_NEEDED || entry->d_tag == DT_SONAME) &&
         IsVTKOrGLEW(this->Strings + entry->d_un.d_val))
@@ -145,39 +167,30 @@ public:
     return false;
   }
 
-  // Returns the number of calls redirected, or -1 with errno set.
-  int Redirect()
+  // False, with errno set, when the system does not allow it.
+  bool Redirect()
   {
-    int total = 0;
-    for (const int number : { this->RedirectTable<ElfW(Rela)>(this->WithAddend),
-           this->RedirectTable<ElfW(Rel)>(this->WithoutAddend),
-           this->CallsHaveAddend ? this->RedirectTable<ElfW(Rela)>(this->Calls)
-                                 : this->RedirectTable<ElfW(Rel)>(this->Calls) })
-    {
-      if (number < 0)
-      {
-        return -1;
-      }
-      total += number;
-    }
-    return total;
+    return this->RedirectTable<RelocationWithAddend>(this->WithAddend) &&
+      this->RedirectTable<RelocationWithoutAddend>(this->WithoutAddend) &&
+      (this->CallsHaveAddend ? this->RedirectTable<RelocationWithAddend>(this->Calls)
+                             : this->RedirectTable<RelocationWithoutAddend>(this->Calls));
   }
 
 private:
   void ReadDynamic()
   {
-    for (const ElfW(Dyn)* entry = this->Dynamic; entry->d_tag != DT_NULL; ++entry)
+    for (const Entry* entry = this->Dynamic; entry->d_tag != DT_NULL; ++entry)
     {
       // Some C libraries write absolute addresses into this section, others leave offsets.
-      const ElfW(Addr) value = entry->d_un.d_ptr;
-      const ElfW(Addr) address = value < this->Base ? this->Base + value : value;
+      const Address value = entry->d_un.d_ptr;
+      const Address address = value < this->Base ? this->Base + value : value;
       switch (entry->d_tag)
       {
         case DT_STRTAB:
           this->Strings = reinterpret_cast<const char*>(address);
           break;
         case DT_SYMTAB:
-          this->Symbols = reinterpret_cast<const ElfW(Sym)*>(address);
+          this->Symbols = reinterpret_cast<const Symbol*>(address);
           break;
         case DT_JMPREL:
           this->Calls.Start = address;
@@ -207,15 +220,14 @@ private:
   }
 
   template <typename Relocation>
-  int RedirectTable(const Table& table)
+  bool RedirectTable(const Table& table)
   {
-    int number = 0;
     const auto* relocations = reinterpret_cast<const Relocation*>(table.Start);
     const size_t count = table.Start ? table.Size / sizeof(Relocation) : 0;
     for (size_t i = 0; i < count; ++i)
     {
       const unsigned long index = GetSymbolIndex(relocations[i]);
-      const ElfW(Sym)& symbol = this->Symbols[index];
+      const Symbol& symbol = this->Symbols[index];
       if (index == 0 || symbol.st_shndx != SHN_UNDEF)
       {
         continue;
@@ -223,19 +235,18 @@ private:
       if (Function replacement = GetReplacement(this->Strings + symbol.st_name))
       {
         auto* slot = reinterpret_cast<Function*>(this->Base + relocations[i].r_offset);
-        if (!this->Write(slot, replacement))
+        if (*slot != replacement && !this->Write(slot, replacement))
         {
-          return -1;
+          return false;
         }
-        ++number;
       }
     }
-    return number;
+    return true;
   }
 
   bool Write(Function* slot, Function value) const
   {
-    const ElfW(Addr) address = reinterpret_cast<ElfW(Addr)>(slot);
+    const Address address = reinterpret_cast<Address>(slot);
     const bool readOnly = address >= this->ReadOnlyStart && address < this->ReadOnlyEnd;
     void* start = reinterpret_cast<void*>(this->ReadOnlyStart);
     const size_t size = this->ReadOnlyEnd - this->ReadOnlyStart;
@@ -247,16 +258,16 @@ private:
     return !readOnly || mprotect(start, size, PROT_READ) == 0;
   }
 
-  ElfW(Addr) Base;
-  const ElfW(Dyn)* Dynamic = nullptr;
+  Address Base;
+  const Entry* Dynamic = nullptr;
   const char* Strings = nullptr;
-  const ElfW(Sym)* Symbols = nullptr;
+  const Symbol* Symbols = nullptr;
   Table Calls;
   Table WithAddend;
   Table WithoutAddend;
   bool CallsHaveAddend = false;
-  ElfW(Addr) ReadOnlyStart = 0;
-  ElfW(Addr) ReadOnlyEnd = 0;
+  Address ReadOnlyStart = 0;
+  Address ReadOnlyEnd = 0;
 };
 
 //------------------------------------------------------------------------------
@@ -264,7 +275,6 @@ struct State
 {
   std::mutex Mutex;
   unsigned long long Loaded = 0;
-  int Redirections = 0;
   std::string Error;
 };
 
@@ -291,15 +301,14 @@ int Treat(dl_phdr_info* info, size_t, void* data)
   {
     return 0;
   }
-  const int number = object.Redirect();
-  if (number < 0)
+  if (!object.Redirect())
   {
     state->Error = std::string("the OpenGL calls of ") +
-      (info->dlpi_name[0] ? info->dlpi_name : "the program") + " cannot be redirected to OSMesa: " +
-      std::strerror(errno) + "; the system must allow mprotect on loaded libraries";
+      (info->dlpi_name[0] ? info->dlpi_name : "the program") +
+      " cannot be redirected to OSMesa: " + std::strerror(errno) +
+      "; the system must allow mprotect on loaded libraries";
     return 1;
   }
-  state->Redirections += number;
   return 0;
 }
 }
@@ -314,17 +323,8 @@ std::string vtkOITOSMesaRedirection::Update()
   if (loaded != state.Loaded)
   {
     state.Error.clear();
-    state.Redirections = 0;
     dl_iterate_phdr(Treat, &state);
     state.Loaded = loaded;
   }
   return state.Error;
-}
-
-//------------------------------------------------------------------------------
-int vtkOITOSMesaRedirection::GetNumberOfRedirections()
-{
-  State& state = GetState();
-  const std::lock_guard<std::mutex> lock(state.Mutex);
-  return state.Redirections;
 }

@@ -24,9 +24,6 @@ namespace vtkOITOSMesaRedirection
  * empty string or one line that says what went wrong. libOSMesa must be usable.
  */
 std::string Update();
-
-/// The number of calls redirected so far in this process.
-int GetNumberOfRedirections();
 }
 
 #endif
