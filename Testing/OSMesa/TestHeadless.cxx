@@ -30,12 +30,9 @@ int main()
   window->AddRenderer(MakeScene(red, grey));
   window->SetSize(64, 48);
   vtkNew<vtkRenderWindowInteractor> interactor;
-  if (HasOwnWindow())
-  {
-    interactor->SetRenderWindow(window);
-    interactor->Initialize();
-    interactor->Start(); // must return: there is nothing to interact with
-  }
+  interactor->SetRenderWindow(window);
+  interactor->Initialize();
+  interactor->Start(); // must return: there is nothing to interact with
   window->Render();
   CheckScene(window, red, grey, "first frame");
 

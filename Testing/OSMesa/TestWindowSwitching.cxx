@@ -59,13 +59,17 @@ int main()
   }
   CheckAll(windows, "backward");
 
+  const bool own = HasOwnWindow();
   // Current is the one that was asked for, and what was current comes back.
   for (int i = 0; i < Count; ++i)
   {
     windows[i]->MakeCurrent();
     for (int j = 0; j < Count; ++j)
     {
-      Check(windows[j]->IsCurrent() == (i == j), "IsCurrent");
+      if (own || i == j) // VTK's window of EGL calls itself current always
+      {
+        Check(windows[j]->IsCurrent() == (i == j), "IsCurrent");
+      }
       auto* inner = vtkOpenGLRenderWindow::SafeDownCast(windows[j]);
       inner->PushContext();
       Check(inner->IsCurrent(), "PushContext makes current");
@@ -84,7 +88,7 @@ int main()
     other->Render();
     windows[0]->MakeCurrent();
   }
-  if (HasOwnWindow())
+  if (own)
   {
     Check(windows[0]->IsCurrent(), "another window's end leaves the current one alone");
   }
