@@ -89,6 +89,9 @@ void Again()
   window->Finalize();
 }
 
+// A window that is still there when main ends: its end comes after that of most static objects.
+vtkSmartPointer<vtkRenderWindow> Last;
+
 void NeverRendered()
 {
   vtkNew<vtkRenderWindow> empty;
@@ -110,5 +113,6 @@ int main()
   WhileAnotherIsCurrent();
   PropInTwoWindows();
   Again();
+  Last = MakeWindow(MakeScene(Quad, Background));
   return GetStatus();
 }

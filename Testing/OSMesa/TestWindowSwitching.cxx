@@ -64,9 +64,10 @@ int main()
   for (int i = 0; i < Count; ++i)
   {
     windows[i]->MakeCurrent();
+    Check(windows[i]->IsCurrent(), "MakeCurrent");
     for (int j = 0; j < Count; ++j)
     {
-      if (own || i == j) // VTK's window of EGL calls itself current always
+      if (own) // VTK's window of EGL calls itself current always
       {
         Check(windows[j]->IsCurrent() == (i == j), "IsCurrent");
       }
@@ -74,7 +75,10 @@ int main()
       inner->PushContext();
       Check(inner->IsCurrent(), "PushContext makes current");
       inner->PopContext();
-      Check(windows[i]->IsCurrent(), "PopContext restores");
+      if (own) // VTK's window of OSMesa restores nothing
+      {
+        Check(windows[i]->IsCurrent(), "PopContext restores");
+      }
     }
   }
 

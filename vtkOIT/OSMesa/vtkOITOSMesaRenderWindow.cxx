@@ -14,6 +14,9 @@
 #include "vtk_glew.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <mutex>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -28,6 +31,61 @@ public:
   int Started = 0;
   std::string Report;
 };
+
+namespace
+{
+/**
+ * The windows that have a context. Mesa tears itself down when the process exits, before static
+ * objects are destroyed; what a window still holds then must be released earlier.
+ */
+class LiveWindows
+{
+public:
+  static LiveWindows& Get()
+  {
+    static LiveWindows* instance = new LiveWindows; // never destroyed: a window may end later
+    return *instance;
+  }
+
+  void Add(vtkOITOSMesaRenderWindow* window)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (!this->HasExitHandler)
+    {
+      // Exit handlers run last in, first out, and Mesa set up its own for the first context.
+      this->HasExitHandler = std::atexit([]() { LiveWindows::Get().Finalize(); }) == 0;
+    }
+    this->Windows.insert(window);
+  }
+
+  void Remove(vtkOITOSMesaRenderWindow* window)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Windows.erase(window);
+  }
+
+private:
+  LiveWindows() = default;
+
+  void Finalize()
+  {
+    while (vtkOITOSMesaRenderWindow* window = this->GetFirst())
+    {
+      window->Finalize(); // removes it
+    }
+  }
+
+  vtkOITOSMesaRenderWindow* GetFirst()
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    return this->Windows.empty() ? nullptr : *this->Windows.begin();
+  }
+
+  std::mutex Mutex;
+  std::set<vtkOITOSMesaRenderWindow*> Windows;
+  bool HasExitHandler = false;
+};
+}
 
 //------------------------------------------------------------------------------
 vtkOITOSMesaRenderWindow::vtkOITOSMesaRenderWindow()
@@ -88,6 +146,7 @@ void vtkOITOSMesaRenderWindow::CreateAWindow()
     vtkErrorMacro("no OpenGL context: " << error << ".");
     return;
   }
+  LiveWindows::Get().Add(this);
   this->Mapped = 1;
   this->OwnContext = 1;
   this->OpenGLInit();
@@ -103,6 +162,7 @@ void vtkOITOSMesaRenderWindow::DestroyWindow()
   const vtkOITOSMesaContext::Binding before = vtkOITOSMesaContext::GetBinding();
   this->MakeCurrent();
   this->ReleaseGraphicsResources(this);
+  LiveWindows::Get().Remove(this);
   this->Internals->Context.reset();
   vtkOITOSMesaContext::Restore(before);
   this->Internals->Stack.clear();

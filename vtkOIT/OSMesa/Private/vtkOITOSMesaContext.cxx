@@ -32,8 +32,7 @@ struct Registry
 
   static Registry& Get()
   {
-    // Never destroyed: windows may outlive this library's static objects.
-    static Registry* instance = new Registry;
+    static Registry* instance = new Registry; // never destroyed: a window may end later
     return *instance;
   }
 

@@ -49,6 +49,7 @@ vtkOITOSMesaLibrary::vtkOITOSMesaLibrary()
 //------------------------------------------------------------------------------
 const vtkOITOSMesaLibrary& vtkOITOSMesaLibrary::Get()
 {
-  static const vtkOITOSMesaLibrary instance;
-  return instance;
+  // Never destroyed: a window may end after this library's static objects.
+  static const vtkOITOSMesaLibrary* instance = new vtkOITOSMesaLibrary;
+  return *instance;
 }

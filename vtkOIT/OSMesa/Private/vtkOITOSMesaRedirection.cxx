@@ -280,8 +280,8 @@ struct State
 
 State& GetState()
 {
-  static State state;
-  return state;
+  static State* state = new State; // never destroyed: a window may end later
+  return *state;
 }
 
 //------------------------------------------------------------------------------
