@@ -23,8 +23,14 @@ int main()
     vtkNew<vtkRenderWindow> window;
     window->SetMultiSamples(0);
     window->AddRenderer(MakeScene(green, blue));
+    // VTK's own headless windows draw the largest too, in many seconds.
+    const int largest = HasOwnWindow() ? 8192 : 4096;
     for (const auto& size : sizes)
     {
+      if (size.first > largest)
+      {
+        continue;
+      }
       window->SetSize(size.first, size.second);
       window->Render();
       CheckScene(window, green, blue,
