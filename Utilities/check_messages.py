@@ -21,6 +21,7 @@ SHORTEST = 20  # characters; shorter parts, such as " of ", say nothing
 
 LITERAL = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+PERCENT = re.compile(r"%(?:\(\w+\))?[-+ #0-9.]*[a-zA-Z]")
 # GLSL in C++ strings, printf formats and PrintSelf labels are not sentences.
 NO_SENTENCE = re.compile(r"//VTK|^\s*#|[{}=]|\bgl_|\bvec\d|: $|GL_[A-Z]{3}")
 
@@ -63,12 +64,13 @@ def python_messages(text):
         if not isinstance(call, ast.Call) or not call.args:
             continue
         name = getattr(call.func, "id", getattr(call.func, "attr", ""))
-        if isinstance(node, ast.Raise) or name == "fail":
+        if isinstance(node, ast.Raise) or name.lstrip("_") == "fail":
             yield [
-                part.value
+                part
                 for argument in call.args
-                for part in ast.walk(argument)
-                if isinstance(part, ast.Constant) and isinstance(part.value, str)
+                for literal in ast.walk(argument)
+                if isinstance(literal, ast.Constant) and isinstance(literal.value, str)
+                for part in PERCENT.split(literal.value)
             ]
 
 
