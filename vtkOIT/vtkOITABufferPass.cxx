@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITABufferPass.h"
 
+#include "Private/vtkOITABufferResolver.h"
 #include "Private/vtkOITABufferShaders.h"
 #include "Private/vtkOITBands.h"
 #include "Private/vtkOITCapabilities.h"
@@ -12,9 +13,7 @@
 #include "Private/vtkOITSavedState.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTimeStamp.h"
@@ -38,17 +37,14 @@ class vtkOITABufferPass::Internals
 public:
   void ChooseShaders(const vtkOITFrame& frame, bool floatColor);
   void Begin(const vtkOITFrame& frame);
-  void Resolve(const vtkOITFrame& frame);
-  void RenderQuad(std::unique_ptr<vtkOpenGLQuadHelper>& quad, const std::string& fragmentShader,
-    vtkOpenGLRenderWindow* window);
+  vtkOITFragmentStore::Counters Resolve(const vtkOITFrame& frame);
   std::int64_t GetNodeLimit(const vtkOITFrame& frame, std::int64_t maximumBytes) const;
 
   vtkOITFragmentStore Store;
   vtkOITDepthCopy DepthCopy;
   vtkOITABufferShaders Shaders;
   vtkTimeStamp ShaderTime;
-  std::unique_ptr<vtkOpenGLQuadHelper> ResolveQuad;
-  std::unique_ptr<vtkOpenGLQuadHelper> PresortQuad;
+  vtkOITABufferResolver Resolver;
   vtkOITBands Bands;
 
   vtkOITRectangle Band;
@@ -85,8 +81,7 @@ void vtkOITABufferPass::ReleaseGraphicsResources(vtkWindow* window)
   Internals& impl = *this->Impl;
   impl.Store.Release();
   impl.DepthCopy.Release();
-  impl.ResolveQuad.reset();
-  impl.PresortQuad.reset();
+  impl.Resolver.Release();
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -104,8 +99,7 @@ void vtkOITABufferPass::Internals::ChooseShaders(const vtkOITFrame& frame, bool 
   {
     this->Shaders = shaders;
     this->ShaderTime.Modified();
-    this->ResolveQuad.reset();
-    this->PresortQuad.reset();
+    this->Resolver.SetShaders(shaders);
   }
 }
 
@@ -119,7 +113,7 @@ std::int64_t vtkOITABufferPass::Internals::GetNodeLimit(
   {
     bytes = std::min(bytes, maximumBytes - 4 * this->Band.GetArea());
   }
-  return bytes / this->Shaders.GetBytesPerNode();
+  return bytes / this->Shaders.GetBytesPerNode() - 1; // the store leaves one node unused
 }
 
 //------------------------------------------------------------------------------
@@ -165,15 +159,12 @@ vtkTypeInt64 vtkOITABufferPass::RenderBand(vtkOITFrame& frame)
     impl.ChooseShaders(frame, this->FragmentPrecision == FLOAT); // as the pool is now
     impl.Begin(frame);
     this->RenderGeometry(frame);
-    impl.Resolve(frame);
-
-    const vtkOITFragmentStore::Counters counters = impl.Store.ReadCounters();
+    const vtkOITFragmentStore::Counters counters = impl.Resolve(frame);
     const std::int64_t capacity = impl.Store.GetCapacity();
     if (!counters.Overflow)
     {
-      this->NumberOfFragments += counters.FragmentCount;
-      this->MaximumDepthComplexity = std::max(
-        this->MaximumDepthComplexity, static_cast<int>(counters.MaximumDepthComplexity));
+      this->AddStatistics(counters.FragmentCount,
+        *std::max_element(counters.Tiles.begin(), counters.Tiles.end()));
       return counters.FragmentCount;
     }
     // A count that is not beyond the capacity has wrapped around 2^32.
@@ -207,59 +198,39 @@ void vtkOITABufferPass::Internals::Begin(const vtkOITFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-void vtkOITABufferPass::Internals::Resolve(const vtkOITFrame& frame)
+// Draws nothing when the store has overflowed.
+vtkOITFragmentStore::Counters vtkOITABufferPass::Internals::Resolve(const vtkOITFrame& frame)
 {
   if (this->HasDepthCopy)
   {
     this->DepthCopy.Unbind(frame.GLState, DepthUnit);
   }
-  constexpr GLbitfield barriers =
-    GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT;
-  glMemoryBarrier(barriers);
-
   const vtkOITSavedState saved(frame.GLState, false); // the next band starts from it
-  vtkOpenGLState* state = frame.GLState;
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_CULL_FACE);
-  if (frame.Target.Samples > 0)
+  frame.GLState->vtkglDisable(GL_DEPTH_TEST);
+  frame.GLState->vtkglDisable(GL_CULL_FACE);
+  vtkOITFragmentStore::Counters counters = this->Resolver.Count(frame, this->Store);
+  if (!counters.Overflow)
   {
-    this->RenderQuad(this->PresortQuad, this->Shaders.GetPresort(), frame.Window);
-    glMemoryBarrier(barriers);
+    this->Resolver.Composite(frame, this->Store, counters);
   }
-  frame.DrawToFirstBufferOnly();
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  if (this->Shaders.FramebufferFetch)
-  {
-    state->vtkglDisable(GL_BLEND);
-  }
-  else
-  {
-    state->vtkglEnable(GL_BLEND);
-    state->vtkglBlendEquation(GL_FUNC_ADD);
-    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  }
-  this->RenderQuad(this->ResolveQuad, this->Shaders.GetResolve(), frame.Window);
+  return counters;
 }
 
 //------------------------------------------------------------------------------
-void vtkOITABufferPass::Internals::RenderQuad(std::unique_ptr<vtkOpenGLQuadHelper>& quad,
-  const std::string& fragmentShader, vtkOpenGLRenderWindow* window)
+void vtkOITABufferPass::AddStatistics(vtkTypeInt64 fragments, vtkTypeInt64 depthComplexity)
 {
-  if (!quad)
+  this->NumberOfFragments += fragments;
+  this->MaximumDepthComplexity =
+    std::max(this->MaximumDepthComplexity, static_cast<int>(depthComplexity));
+  if (depthComplexity > vtkOITABufferResolver::LongestList)
   {
-    quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, fragmentShader.c_str(), nullptr);
+    vtkErrorMacro("One pixel has " << depthComplexity << " fragments, more than the "
+                                   << vtkOITABufferResolver::LongestList
+                                   << " that can be sorted; its colour is wrong. Make the scene "
+                                      "simpler");
+    this->Exact = false;
+    this->ErrorBound = 1.0;
   }
-  else
-  {
-    window->GetShaderCache()->ReadyShaderProgram(quad->Program);
-  }
-  if (!quad->Program)
-  {
-    return; // the shader cache has reported the compiler's message
-  }
-  this->Store.SetUniforms(quad->Program, this->Band);
-  quad->Program->SetUniformi("oitOnce", 1);
-  quad->Render();
 }
 
 //------------------------------------------------------------------------------
@@ -280,7 +251,7 @@ bool vtkOITABufferPass::SetShaderParameters(
   }
   // An actor may have been told to write depth; translucent ones must not.
   impl.Frame->GLState->vtkglDepthMask(GL_FALSE);
-  impl.Store.SetUniforms(program, impl.Band);
+  impl.Store.SetUniforms(program);
   if (program->IsUniformUsed("oitOpaqueDepth"))
   {
     if (!impl.HasDepthCopy)

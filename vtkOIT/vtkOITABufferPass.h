@@ -95,6 +95,7 @@ private:
   void operator=(const vtkOITABufferPass&) = delete;
 
   vtkTypeInt64 RenderBand(vtkOITFrame& frame);
+  void AddStatistics(vtkTypeInt64 fragments, vtkTypeInt64 depthComplexity);
 
   class Internals;
   std::unique_ptr<Internals> Impl;

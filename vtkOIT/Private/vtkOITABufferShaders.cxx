@@ -4,9 +4,12 @@
 
 #include "vtkOITShaderText.h"
 
+#include "vtkOITABufferPassCompositeFS.h"
+#include "vtkOITABufferPassCountFS.h"
 #include "vtkOITABufferPassGatherFS.h"
 #include "vtkOITABufferPassNodeFS.h"
-#include "vtkOITABufferPassPresortFS.h"
+#include "vtkOITABufferPassOutputFS.h"
+#include "vtkOITABufferPassReadFS.h"
 #include "vtkOITABufferPassResolveFS.h"
 #include "vtkOITABufferPassSortFS.h"
 
@@ -26,6 +29,7 @@ bool vtkOITABufferShaders::operator==(const vtkOITABufferShaders& other) const
 std::string vtkOITABufferShaders::GetDefinitions() const
 {
   std::string text = "#define OIT_SAMPLES " + std::to_string(this->Samples) + "\n";
+  text += "#define OIT_LARGEST_NETWORK " + std::to_string(NetworkSizes.back()) + "\n";
   text += this->HasWideNodes() ? "#define OIT_WIDE_NODES\n" : "";
   text += this->FloatColor ? "#define OIT_FLOAT_COLOR\n" : "";
   text += this->NodesInImage ? "#define OIT_NODES_IN_IMAGE\n" : "";
@@ -68,17 +72,7 @@ bool vtkOITABufferShaders::WrapGather(std::string& fragmentShader) const
 }
 
 //------------------------------------------------------------------------------
-std::string vtkOITABufferShaders::Assemble(const char* stage, const std::string& header) const
-{
-  std::string text = stage;
-  vtkOITReplace(text, "//VTK::System::Dec", "//VTK::System::Dec\n" + header);
-  vtkOITReplace(text, "//VTK::OIT::Node", vtkOITABufferPassNodeFS);
-  vtkOITReplace(text, "//VTK::OIT::Sort", vtkOITABufferPassSortFS);
-  return text;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkOITABufferShaders::GetResolve() const
+std::string vtkOITABufferShaders::GetOutputHeader() const
 {
   std::string header = this->GetHeader();
   if (this->Samples > 0)
@@ -87,16 +81,45 @@ std::string vtkOITABufferShaders::GetResolve() const
   }
   if (this->FramebufferFetch)
   {
-    header = vtkOITRequireExtensions({ "GL_EXT_shader_framebuffer_fetch" }) +
-      "#define OIT_FRAMEBUFFER_FETCH\n" + header;
+    header = vtkOITRequireExtensions({ "GL_EXT_shader_framebuffer_fetch" }) + header +
+      "#define OIT_FRAMEBUFFER_FETCH\n";
   }
-  std::string text = this->Assemble(vtkOITABufferPassResolveFS, header);
-  vtkOITReplace(text, "//VTK::OIT::Registers", vtkOITRegisterResolve({ 8, 16, 32 }));
+  return header;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITABufferShaders::Assemble(const char* stage, const std::string& header) const
+{
+  std::string text = stage;
+  vtkOITReplace(text, "//VTK::System::Dec", "//VTK::System::Dec\n" + header);
+  vtkOITReplace(text, "//VTK::OIT::Node", vtkOITABufferPassNodeFS);
+  vtkOITReplace(text, "//VTK::OIT::Read", vtkOITABufferPassReadFS);
+  vtkOITReplace(text, "//VTK::OIT::Output", vtkOITABufferPassOutputFS);
   return text;
 }
 
 //------------------------------------------------------------------------------
-std::string vtkOITABufferShaders::GetPresort() const
+std::string vtkOITABufferShaders::GetCount() const
 {
-  return this->Assemble(vtkOITABufferPassPresortFS, this->GetHeader());
+  return this->Assemble(vtkOITABufferPassCountFS, this->GetHeader());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITABufferShaders::GetResolve(int networkSize) const
+{
+  std::string text = this->Assemble(vtkOITABufferPassResolveFS, this->GetOutputHeader());
+  vtkOITReplace(text, "//VTK::OIT::Registers", vtkOITRegisterResolve(networkSize));
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITABufferShaders::GetSort() const
+{
+  return this->Assemble(vtkOITABufferPassSortFS, this->GetHeader());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITABufferShaders::GetComposite() const
+{
+  return this->Assemble(vtkOITABufferPassCompositeFS, this->GetOutputHeader());
 }

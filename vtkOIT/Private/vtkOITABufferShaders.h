@@ -3,6 +3,7 @@
 #ifndef vtkOITABufferShaders_h
 #define vtkOITABufferShaders_h
 
+#include <array>
 #include <string>
 
 /**
@@ -29,12 +30,22 @@ struct vtkOITABufferShaders
 
   /// Changes a mapper's fragment shader into the Gather stage. False when it has no main().
   bool WrapGather(std::string& fragmentShader) const;
-  std::string GetResolve() const;
-  std::string GetPresort() const;
+
+  /// The fragment shaders of the other stages.
+  ///@{
+  std::string GetCount() const;
+  std::string GetResolve(int networkSize) const;
+  std::string GetSort() const;
+  std::string GetComposite() const;
+  ///@}
+
+  /// Fragments of a pixel that the sorting networks in registers take, ascending. Powers of two.
+  static constexpr std::array<int, 4> NetworkSizes = { 4, 8, 16, 32 };
 
 private:
   std::string GetDefinitions() const;
   std::string GetHeader() const;
+  std::string GetOutputHeader() const;
   std::string Assemble(const char* stage, const std::string& header) const;
 };
 

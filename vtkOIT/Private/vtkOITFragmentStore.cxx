@@ -4,6 +4,7 @@
 
 #include "vtkOITCapabilities.h"
 
+#include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -12,9 +13,29 @@ namespace
 {
 constexpr std::int64_t BytesPerTexel = 16; // of the pool as a buffer texture, GL_RGBA32UI
 
+// The words before the tiles in the counter buffer: fragments, overflow, two unused.
+constexpr int CounterWords = 4;
+
+constexpr GLsizeiptr GetCounterBytes(int tiles)
+{
+  return static_cast<GLsizeiptr>(sizeof(std::uint32_t)) * (CounterWords + tiles);
+}
+
 constexpr std::int64_t RoundUp(std::int64_t value, std::int64_t step)
 {
   return (value + step - 1) / step * step;
+}
+
+GLuint MakeBufferTexture(GLenum format, GLuint buffer)
+{
+  GLint bound = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_BUFFER, &bound);
+  GLuint texture = 0;
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_BUFFER, texture);
+  glTexBuffer(GL_TEXTURE_BUFFER, format, buffer);
+  glBindTexture(GL_TEXTURE_BUFFER, bound);
+  return texture;
 }
 }
 
@@ -29,24 +50,36 @@ std::int64_t vtkOITFragmentStore::GetLargestPool(const vtkOITCapabilities& capab
 
 //------------------------------------------------------------------------------
 void vtkOITFragmentStore::Reserve(vtkOpenGLRenderWindow* window,
-  const vtkOITCapabilities& capabilities, const vtkOITRectangle& rectangle, std::int64_t nodes,
+  const vtkOITCapabilities& capabilities, const vtkOITRectangle& rectangle, std::int64_t fragments,
   int bytesPerNode)
 {
   this->Attach(window);
-  if (this->CounterBuffer == 0)
-  {
-    glGenBuffers(1, &this->CounterBuffer);
-    glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
-    glBufferData(GL_SHADER_STORAGE_BUFFER, sizeof(Counters), nullptr, GL_DYNAMIC_READ);
-  }
+  this->ReserveCounters(vtkOITTileGrid(rectangle).GetNumberOfTiles());
   this->ReserveHeads(rectangle.Width, rectangle.Height);
-  if (this->PoolBytes < nodes * bytesPerNode)
+  const std::int64_t bytes = (fragments + 1) * bytesPerNode;
+  if (this->PoolBytes < bytes)
   {
     // Whole pages of 64 KiB, never beyond what can be addressed.
-    this->ReservePool(std::min(RoundUp(nodes * bytesPerNode, 65536), GetLargestPool(capabilities)),
-      capabilities);
+    this->ReservePool(
+      std::min(RoundUp(bytes, 65536), GetLargestPool(capabilities)), capabilities);
   }
-  this->Capacity = this->PoolBytes / bytesPerNode;
+  this->Nodes = this->PoolBytes / bytesPerNode;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITFragmentStore::ReserveCounters(int tiles)
+{
+  if (this->TileCapacity >= tiles)
+  {
+    return;
+  }
+  this->TileCapacity = tiles;
+  glDeleteTextures(1, &this->CounterTexture);
+  glDeleteBuffers(1, &this->CounterBuffer);
+  glGenBuffers(1, &this->CounterBuffer);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
+  glBufferData(GL_SHADER_STORAGE_BUFFER, GetCounterBytes(tiles), nullptr, GL_DYNAMIC_READ);
+  this->CounterTexture = MakeBufferTexture(GL_R32UI, this->CounterBuffer);
 }
 
 //------------------------------------------------------------------------------
@@ -90,24 +123,22 @@ void vtkOITFragmentStore::ReservePool(
   this->NodesInImage = bytes > capabilities.MaximumStorageBlockSize;
   if (this->NodesInImage)
   {
-    glGenTextures(1, &this->PoolTexture);
-    GLint bound = 0;
-    glGetIntegerv(GL_TEXTURE_BINDING_BUFFER, &bound);
-    glBindTexture(GL_TEXTURE_BUFFER, this->PoolTexture);
-    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32UI, this->Pool);
-    glBindTexture(GL_TEXTURE_BUFFER, bound);
+    this->PoolTexture = MakeBufferTexture(GL_RGBA32UI, this->Pool);
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkOITFragmentStore::Begin(const vtkOITRectangle& rectangle)
 {
-  const GLuint end = 0xffffffffu;
+  this->Rectangle = rectangle;
+  this->Grid = vtkOITTileGrid(rectangle);
+  const GLuint end = 0;
   glClearTexSubImage(this->Heads, 0, 0, 0, 0, rectangle.Width, rectangle.Height, 1, GL_RED_INTEGER,
     GL_UNSIGNED_INT, &end);
-  const Counters zero;
+  const std::vector<std::uint32_t> zeros(CounterWords + this->Grid.GetNumberOfTiles(), 0u);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
-  glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof(Counters), &zero);
+  glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, GetCounterBytes(this->Grid.GetNumberOfTiles()),
+    zeros.data());
   glBindImageTexture(0, this->Heads, 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, this->CounterBuffer);
   if (this->NodesInImage)
@@ -121,29 +152,50 @@ void vtkOITFragmentStore::Begin(const vtkOITRectangle& rectangle)
 }
 
 //------------------------------------------------------------------------------
-void vtkOITFragmentStore::SetUniforms(
-  vtkShaderProgram* program, const vtkOITRectangle& rectangle) const
+void vtkOITFragmentStore::SetUniforms(vtkShaderProgram* program) const
 {
-  const int origin[2] = { rectangle.X, rectangle.Y };
+  const int origin[2] = { this->Rectangle.X, this->Rectangle.Y };
+  const int firstTile[2] = { this->Grid.FirstColumn, this->Grid.FirstRow };
   program->SetUniform2i("oitOrigin", origin);
-  program->SetUniformi("oitCapacity", static_cast<int>(this->Capacity));
+  program->SetUniform2i("oitFirstTile", firstTile);
+  program->SetUniformi("oitTileColumns", this->Grid.Columns);
+  program->SetUniformi("oitCapacity", static_cast<int>(this->Nodes));
 }
 
 //------------------------------------------------------------------------------
 vtkOITFragmentStore::Counters vtkOITFragmentStore::ReadCounters() const
 {
+  const int tiles = this->Grid.GetNumberOfTiles();
+  std::vector<std::uint32_t> words(CounterWords + tiles);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  Counters counters;
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
-  glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof(Counters), &counters);
+  glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, GetCounterBytes(tiles), words.data());
+  Counters counters;
+  counters.FragmentCount = words[0];
+  counters.Overflow = words[1];
+  counters.Tiles.assign(words.begin() + CounterWords, words.end());
   return counters;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITFragmentStore::BindTiles(vtkOpenGLState* state, int textureUnit) const
+{
+  state->vtkglActiveTexture(GL_TEXTURE0 + textureUnit);
+  glBindTexture(GL_TEXTURE_BUFFER, this->CounterTexture);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITFragmentStore::UnbindTiles(vtkOpenGLState* state, int textureUnit) const
+{
+  state->vtkglActiveTexture(GL_TEXTURE0 + textureUnit);
+  glBindTexture(GL_TEXTURE_BUFFER, 0);
 }
 
 //------------------------------------------------------------------------------
 std::int64_t vtkOITFragmentStore::GetSizeInBytes() const
 {
   return this->PoolBytes + INT64_C(4) * this->Width * this->Height +
-    (this->CounterBuffer ? static_cast<std::int64_t>(sizeof(Counters)) : 0);
+    (this->CounterBuffer ? GetCounterBytes(this->TileCapacity) : 0);
 }
 
 //------------------------------------------------------------------------------
@@ -151,6 +203,7 @@ void vtkOITFragmentStore::Delete()
 {
   glDeleteTextures(1, &this->Heads);
   glDeleteTextures(1, &this->PoolTexture);
+  glDeleteTextures(1, &this->CounterTexture);
   glDeleteBuffers(1, &this->Pool);
   glDeleteBuffers(1, &this->CounterBuffer);
 }
@@ -158,8 +211,9 @@ void vtkOITFragmentStore::Delete()
 //------------------------------------------------------------------------------
 void vtkOITFragmentStore::Forget()
 {
-  this->Heads = this->Pool = this->PoolTexture = this->CounterBuffer = 0;
+  this->Heads = this->Pool = this->PoolTexture = this->CounterBuffer = this->CounterTexture = 0;
+  this->TileCapacity = 0;
   this->Width = this->Height = 0;
-  this->PoolBytes = this->Capacity = 0;
+  this->PoolBytes = this->Nodes = 0;
   this->NodesInImage = false;
 }

@@ -7,15 +7,38 @@
 #include "vtkOITContextObjects.h"
 #include "vtkOITRectangle.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <vector>
 
 class vtkOITCapabilities;
 class vtkOpenGLRenderWindow;
+class vtkOpenGLState;
 class vtkShaderProgram;
 
+/// The tiles that cover a rectangle, aligned to multiples of their size.
+struct vtkOITTileGrid
+{
+  static constexpr int TileSize = 16; // as in glsl/vtkOITABufferPassNodeFS.glsl
+
+  explicit vtkOITTileGrid(const vtkOITRectangle& r = {})
+    : FirstColumn(r.X / TileSize)
+    , FirstRow(r.Y / TileSize)
+    , Columns((r.X + r.Width + TileSize - 1) / TileSize - this->FirstColumn)
+    , Rows((r.Y + r.Height + TileSize - 1) / TileSize - this->FirstRow)
+  {
+  }
+  int GetNumberOfTiles() const { return this->Columns * this->Rows; }
+
+  int FirstColumn;
+  int FirstRow;
+  int Columns;
+  int Rows;
+};
+
 /**
- * The memory of an A-buffer: list heads (one texel a pixel), the pool of nodes, and the counters.
- * The layout is that of glsl/vtkOITABufferPassNodeFS.glsl.
+ * The memory of an A-buffer: list heads (one texel a pixel), the pool of nodes, the counters and the
+ * depth complexity of tiles. The layout is that of glsl/vtkOITABufferPassNodeFS.glsl.
  *
  * Heads and pool only grow; Release() frees them. 4 bytes per pixel, and the bytes of a node per
  * fragment.
@@ -29,27 +52,34 @@ public:
   {
     std::uint32_t FragmentCount = 0;
     std::uint32_t Overflow = 0;
-    std::uint32_t MaximumDepthComplexity = 0;
-    std::uint32_t Padding = 0;
+    /// Largest number of fragments of a pixel, for each tile; without the mark of ties.
+    std::vector<std::uint32_t> Tiles;
   };
 
-  /// Makes room for the rectangle's heads and for at least `nodes` nodes, where the context has the
+  /// Makes room for the rectangle's heads and for at least `fragments` fragments, where the context has the
   /// memory. The pool may stay smaller: see GetCapacity(). What it held is lost when it grows.
   void Reserve(vtkOpenGLRenderWindow* window, const vtkOITCapabilities& capabilities,
-    const vtkOITRectangle& rectangle, std::int64_t nodes, int bytesPerNode);
+    const vtkOITRectangle& rectangle, std::int64_t fragments, int bytesPerNode);
 
   /// Empties the lists of the rectangle, resets the counters, and binds everything: image units
-  /// and storage buffers 0 and 1.
+  /// and storage buffers 0 and 1. The rectangle is the current one until the next call.
   void Begin(const vtkOITRectangle& rectangle);
 
   /// Sets the uniforms of a program that includes vtkOITABufferPassNodeFS.glsl.
-  void SetUniforms(vtkShaderProgram* program, const vtkOITRectangle& rectangle) const;
+  void SetUniforms(vtkShaderProgram* program) const;
 
   /// Waits for the shaders that count.
   Counters ReadCounters() const;
 
-  /// Nodes of the pool.
-  std::int64_t GetCapacity() const { return this->Capacity; }
+  const vtkOITRectangle& GetRectangle() const { return this->Rectangle; }
+  const vtkOITTileGrid& GetTileGrid() const { return this->Grid; }
+
+  /// Binds the counters as a buffer texture of 32-bit integers; the tiles begin at texel 4.
+  void BindTiles(vtkOpenGLState* state, int textureUnit) const;
+  void UnbindTiles(vtkOpenGLState* state, int textureUnit) const;
+
+  /// Fragments that the pool takes.
+  std::int64_t GetCapacity() const { return std::max<std::int64_t>(0, this->Nodes - 1); }
 
   /// The pool is larger than a storage block may be, so shaders reach it as an image.
   bool GetNodesInImage() const { return this->NodesInImage; }
@@ -64,16 +94,21 @@ private:
   void Delete() override;
   void Forget() override;
   void ReserveHeads(int width, int height);
+  void ReserveCounters(int tiles);
   void ReservePool(std::int64_t bytes, const vtkOITCapabilities& capabilities);
 
   GLuint Heads = 0;
   GLuint Pool = 0;
   GLuint PoolTexture = 0;
   GLuint CounterBuffer = 0;
+  GLuint CounterTexture = 0;
+  int TileCapacity = 0;
+  vtkOITRectangle Rectangle;
+  vtkOITTileGrid Grid;
   int Width = 0;
   int Height = 0;
   std::int64_t PoolBytes = 0;
-  std::int64_t Capacity = 0;
+  std::int64_t Nodes = 0; // of the pool, the unused first one included
   bool NodesInImage = false;
 };
 

@@ -27,21 +27,6 @@ void WriteSortingNetwork(std::ostream& os, int size)
     }
   }
 }
-
-void WriteSortAndBlend(std::ostream& os, int size)
-{
-  os << "if (node == OIT_END)\n{\n";
-  WriteSortingNetwork(os, size);
-  for (int i = 0; i + 1 < size; ++i)
-  {
-    os << "OIT_NOTE_TIE(" << i << ", " << i + 1 << ")\n";
-  }
-  for (int i = 0; i < size; ++i)
-  {
-    os << "OIT_BLEND(" << i << ")\n";
-  }
-  os << "}\n";
-}
 }
 
 //------------------------------------------------------------------------------
@@ -102,25 +87,21 @@ bool vtkOITWritesDepth(const std::string& fragmentShader)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkOITRegisterResolve(std::initializer_list<int> sizes)
+std::string vtkOITRegisterResolve(int size)
 {
   std::ostringstream os;
-  int loaded = 0;
-  for (int size : sizes)
+  for (int i = 0; i < size; ++i)
   {
-    if (loaded > 0)
-    {
-      os << "OIT_IF_ANY(node != OIT_END)\n{\n";
-    }
-    for (; loaded < size; ++loaded)
-    {
-      os << "OIT_LOAD(" << loaded << ")\n";
-    }
-    WriteSortAndBlend(os, size);
+    os << "OIT_LOAD(" << i << ")\n";
   }
-  for (std::size_t i = 1; i < sizes.size(); ++i)
+  WriteSortingNetwork(os, size);
+  for (int i = 0; i + 1 < size; ++i)
   {
-    os << "}\n";
+    os << "OIT_NOTE_TIE(" << i << ", " << i + 1 << ")\n";
+  }
+  for (int i = 0; i < size; ++i)
+  {
+    os << "OIT_BLEND(" << i << ")\n";
   }
   return os.str();
 }

@@ -26,8 +26,8 @@ bool vtkOITWritesDepth(const std::string& fragmentShader);
 
 /**
  * The text `//VTK::OIT::Registers` of vtkOITABufferPassResolveFS.glsl: loads, sorts and blends up
- * to `sizes.back()` fragments in registers, one network per size (powers of two, ascending).
+ * to `size` fragments, a power of two, in registers.
  */
-std::string vtkOITRegisterResolve(std::initializer_list<int> sizes);
+std::string vtkOITRegisterResolve(int size);
 
 #endif

@@ -71,10 +71,10 @@ void main()
   }
 #endif
 
-  uint node = atomicAdd(oitFragmentCount, 1u);
+  uint node = atomicAdd(oitFragmentCount, 1u) + 1u;
   if (node >= uint(oitCapacity))
   {
-    if (node == uint(oitCapacity))
+    if (node == uint(oitCapacity)) // once, however far the count goes
     {
       oitOverflow = 1u;
     }

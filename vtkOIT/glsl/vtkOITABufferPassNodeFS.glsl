@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Storage of the A-buffer, shared by the stages Gather, Sort and Resolve.
+// Storage of the A-buffer, shared by all stages: Gather, Count, Sort, Resolve, Composite.
 //
 // A pixel's fragments are a linked list of nodes in capture order; oitHeads holds its first node.
 // A node is one uvec4 (two with OIT_WIDE_NODES): one store instruction instead of several is what
@@ -13,7 +13,10 @@
 // Defined by the pass: OIT_WIDE_NODES, OIT_FLOAT_COLOR, OIT_NODES_IN_IMAGE (the pool is larger than
 // a storage block may be, so it is reached as a buffer texture), OIT_SAMPLES.
 
-const uint OIT_END = 0xffffffffu;
+// Node 0 is never used: llvmpipe gives 0 to pixels of a block that are not covered but run along,
+// and a walk over a list must end for them, too.
+const uint OIT_END = 0u;
+const uint OIT_TIED = 0x80000000u;   // bit of a head or a tile: Resolve met coincident fragments
 const uint OIT_NO_KEY = 0xffffffffu; // sorts behind every depth
 
 #ifdef OIT_FLOAT_COLOR
@@ -28,11 +31,22 @@ layout(std430, binding = 0) buffer OITCounters
 {
   uint oitFragmentCount; // goes on counting beyond the capacity: the size that is needed
   uint oitOverflow;      // set once the capacity is passed, stays when the count wraps
-  uint oitMaximumDepthComplexity;
+  uint oitUnused[2];
+  uint oitTiles[]; // largest number of fragments of a pixel of the tile, and OIT_TIED
 };
 
-uniform int oitCapacity;  // nodes
-uniform ivec2 oitOrigin;  // framebuffer pixel of oitHeads' texel (0, 0)
+uniform int oitCapacity; // nodes, the unused one included
+uniform ivec2 oitOrigin; // framebuffer pixel of oitHeads' texel (0, 0)
+
+// Tiles are aligned to multiples of their size in the framebuffer, as rasterizers have them.
+const int OIT_TILE_SIZE = 16;
+uniform ivec2 oitFirstTile; // column, row
+uniform int oitTileColumns;
+int oitFindTile()
+{
+  ivec2 tile = ivec2(gl_FragCoord.xy) / OIT_TILE_SIZE - oitFirstTile;
+  return tile.y * oitTileColumns + tile.x;
+}
 
 #ifdef OIT_NODES_IN_IMAGE
 layout(binding = 1, rgba32ui) uniform uimageBuffer oitNodes;

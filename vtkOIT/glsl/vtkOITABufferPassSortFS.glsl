@@ -1,31 +1,19 @@
+//VTK::System::Dec
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The general way to resolve a pixel: any number of fragments, coincident ones, single samples.
-// Slower than a sorting network in registers, so Resolve takes it only where that is needed.
+// Sorts lists in place, of any length: for the pixels that Resolve left over, and for all pixels
+// of multisampled framebuffers, which are composited once a sample. Writes no colour.
+//
+// A bottom-up merge sort: it relinks the nodes and needs no memory beside them. One run of this
+// shader merges runs of oitFirstWidth nodes up to oitLastWidth: software rasterizers limit the
+// iterations of a shader's loops (llvmpipe: 65535 together), so long lists take several runs.
 
-struct OITFragment
-{
-  uint Key;
-  uint Mask;
-  OITColor Color;
-  uint Next;
-};
+//VTK::OIT::Node
+//VTK::OIT::Read
 
-OITFragment oitRead(uint node)
-{
-  uvec4 word = oitLoad(OIT_WORD(node));
-#ifdef OIT_WIDE_NODES
-  uvec4 color = oitLoad(2u * node + 1u);
-#ifdef OIT_FLOAT_COLOR
-  return OITFragment(word.x, word.y, color, word.w);
-#else
-  return OITFragment(word.x, word.y, color.xy, word.w);
-#endif
-#else
-  return OITFragment(word.x, 0u, word.yz, word.w);
-#endif
-}
+uniform int oitFirstWidth;
+uniform int oitLastWidth;
 
 // A total order: fragments that still compare equal are the same, so that the picture does not
 // depend on the order in which they were drawn, to the last bit.
@@ -42,110 +30,89 @@ bool oitIsBefore(OITFragment a, OITFragment b)
 #endif
 }
 
-// Bottom-up merge sort: relinks the nodes, needs no memory beside them.
-uint oitSortList(uint head)
+// Merges neighbouring runs of `width` nodes. Returns the new head.
+uint oitMergeRuns(uint head, uint width, out uint merges)
 {
-  for (uint width = 1u;; width *= 2u)
+  uint first = head;
+  uint tail = OIT_END;
+  merges = 0u;
+  while (first != OIT_END)
   {
-    uint first = head;
-    uint tail = OIT_END;
-    uint merges = 0u;
-    while (first != OIT_END)
+    ++merges;
+    uint second = first;
+    uint firstSize = 0u;
+    while (firstSize < width && second != OIT_END)
     {
-      ++merges;
-      uint second = first;
-      uint firstSize = 0u;
-      while (firstSize < width && second != OIT_END)
-      {
-        second = oitLoad(OIT_WORD(second)).w;
-        ++firstSize;
-      }
-      uint secondSize = second == OIT_END ? 0u : width;
-      OITFragment a = oitRead(first);
-      OITFragment b = a;
-      if (secondSize > 0u)
-      {
-        b = oitRead(second);
-      }
-      while (firstSize + secondSize > 0u)
-      {
-        uint node = first;
-        if (firstSize == 0u || (secondSize > 0u && oitIsBefore(b, a)))
-        {
-          node = second;
-          second = b.Next;
-          secondSize = second == OIT_END ? 0u : secondSize - 1u;
-          if (secondSize > 0u)
-          {
-            b = oitRead(second);
-          }
-        }
-        else
-        {
-          first = a.Next;
-          --firstSize;
-          if (firstSize > 0u)
-          {
-            a = oitRead(first);
-          }
-        }
-        if (tail == OIT_END)
-        {
-          head = node;
-        }
-        else
-        {
-          oitStoreNext(OIT_WORD(tail), node);
-        }
-        tail = node;
-      }
-      first = second;
+      second = oitLoad(OIT_WORD(second)).w;
+      ++firstSize;
     }
-    oitStoreNext(OIT_WORD(tail), OIT_END);
-    if (merges <= 1u)
+    uint secondSize = second == OIT_END ? 0u : width;
+    OITFragment a = oitRead(first);
+    OITFragment b = a;
+    if (secondSize > 0u)
     {
-      return head;
+      b = oitRead(second);
     }
+    while (firstSize + secondSize > 0u)
+    {
+      uint node = first;
+      if (firstSize == 0u || (secondSize > 0u && oitIsBefore(b, a)))
+      {
+        node = second;
+        second = b.Next;
+        secondSize = second == OIT_END ? 0u : secondSize - 1u;
+        if (secondSize > 0u)
+        {
+          b = oitRead(second);
+        }
+      }
+      else
+      {
+        first = a.Next;
+        --firstSize;
+        if (firstSize > 0u)
+        {
+          a = oitRead(first);
+        }
+      }
+      if (tail == OIT_END)
+      {
+        head = node;
+      }
+      else
+      {
+        oitStoreNext(OIT_WORD(tail), node);
+      }
+      tail = node;
+    }
+    first = second;
   }
+  oitStoreNext(OIT_WORD(tail), OIT_END);
   return head;
 }
 
-// Composites a sorted list front to back. Fragments of one depth form a group, each counted once:
-// the group's opacity is 1 - prod(1 - alpha), its colour the mean weighted by alpha.
-void oitCompositeList(uint node, uint sampleBit, inout vec3 color, inout float transmittance)
+void main()
 {
-  while (node != OIT_END)
+  ivec2 pixel = ivec2(gl_FragCoord.xy) - oitOrigin;
+  uint head = imageLoad(oitHeads, pixel).x;
+#if OIT_SAMPLES > 0
+  if (head == OIT_END)
   {
-    OITFragment fragment = oitRead(node);
-    uint key = fragment.Key;
-    float opacity = 0.0;
-    float weight = 0.0;
-    vec3 weighted = vec3(0.0);
-    uint members = 0u;
-    bool isMember = true;
-    while (isMember)
-    {
-      if (sampleBit == 0u || (fragment.Mask & sampleBit) != 0u)
-      {
-        vec4 c = oitUnpack(fragment.Color);
-        opacity += (1.0 - opacity) * c.a;
-        weight += c.a;
-        weighted += c.a * c.rgb;
-        ++members;
-      }
-      node = fragment.Next;
-      isMember = node != OIT_END;
-      if (isMember)
-      {
-        fragment = oitRead(node);
-        isMember = fragment.Key == key;
-      }
-    }
-    if (members > 1u)
-    {
-      weighted *= opacity / weight;
-    }
-    color += transmittance * weighted;
-    transmittance -= transmittance * opacity;
+    discard;
   }
+  uint mark = 0u;
+#else
+  if (!oitIsLeftOver(head))
+  {
+    discard;
+  }
+  uint mark = head & OIT_TIED;
+  head &= ~OIT_TIED;
+#endif
+  uint merges = 2u;
+  for (uint width = uint(oitFirstWidth); width <= uint(oitLastWidth) && merges > 1u; width *= 2u)
+  {
+    head = oitMergeRuns(head, width, merges);
+  }
+  imageStore(oitHeads, pixel, uvec4(head | mark));
 }

@@ -1,0 +1,71 @@
+//VTK::System::Dec
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Composites the lists that Sort has sorted, front to back: C += T alpha c, T -= T alpha. Runs once
+// a sample in multisampled framebuffers.
+//
+// Fragments of one depth form a group, in which each counts once: the group's opacity is
+// 1 - prod(1 - alpha), its colour the mean of the members weighted by alpha.
+
+//VTK::OIT::Node
+//VTK::OIT::Read
+//VTK::OIT::Output
+
+#if OIT_SAMPLES > 0
+#define OIT_IS_COVERED(fragment) (((fragment.Mask >> uint(gl_SampleID)) & 1u) != 0u)
+#else
+#define OIT_IS_COVERED(fragment) true
+#endif
+
+void main()
+{
+  uint node = imageLoad(oitHeads, ivec2(gl_FragCoord.xy) - oitOrigin).x;
+#if OIT_SAMPLES > 0
+  if (node == OIT_END)
+  {
+    discard;
+  }
+#else
+  if (!oitIsLeftOver(node))
+  {
+    discard;
+  }
+  node &= ~OIT_TIED;
+#endif
+
+  vec3 color = vec3(0.0);
+  float transmittance = 1.0;
+  // The group so far, and its depth.
+  uint key = OIT_NO_KEY;
+  float opacity = 0.0;
+  float weight = 0.0;
+  vec3 weighted = vec3(0.0);
+  uint members = 0u;
+  while (node != OIT_END)
+  {
+    OITFragment fragment = oitRead(node);
+    node = fragment.Next;
+    if (OIT_IS_COVERED(fragment))
+    {
+      if (fragment.Key != key)
+      {
+        color += transmittance * (members > 1u ? weighted * (opacity / weight) : weighted);
+        transmittance -= transmittance * opacity;
+        key = fragment.Key;
+        opacity = 0.0;
+        weight = 0.0;
+        weighted = vec3(0.0);
+        members = 0u;
+      }
+      vec4 c = oitUnpack(fragment.Color);
+      opacity += (1.0 - opacity) * c.a;
+      weight += c.a;
+      weighted += c.a * c.rgb;
+      ++members;
+    }
+  }
+  color += transmittance * (members > 1u ? weighted * (opacity / weight) : weighted);
+  transmittance -= transmittance * opacity;
+  oitWrite(color, transmittance);
+}
