@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Opaque geometry hides translucent fragments exactly as the depth test would: intersecting,
+// coplanar, with polygon offsets, and for lines and points.
+
+#include "SingleLayer.h"
+
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkLineSource.h"
+#include "vtkMapper.h"
+#include "vtkNew.h"
+#include "vtkPointSource.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkSphereSource.h"
+
+using namespace vtkOITTest;
+
+namespace
+{
+const glm::vec4 Blue(0.1f, 0.3f, 0.9f, 1.0f);
+const glm::vec4 Orange(0.9f, 0.5f, 0.1f, 0.375f);
+
+void CheckIntersections(TestReport& report, TestRig& rig, const Setup& setup)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(0.6);
+  sphere->SetThetaResolution(40);
+  sphere->SetPhiResolution(40);
+  sphere->Update();
+  rig.RemoveProps();
+  rig.AddPolyData(sphere->GetOutput(), Blue);
+  CheckSingleLayer(report, rig, setup, "quad through an opaque sphere",
+    rig.AddQuad({ 0.4f, Orange }), Orange.a);
+
+  rig.RemoveProps();
+  rig.AddRamp(0.2, 0.8, Blue);
+  CheckSingleLayer(
+    report, rig, setup, "crossing ramps", rig.AddRamp(0.7, 0.3, Orange), Orange.a);
+
+  rig.RemoveProps();
+  rig.AddQuad({ 0.5f, Blue });
+  CheckSingleLayer(report, rig, setup, "quad right behind an opaque one",
+    rig.AddQuad({ 0.50000006f, Orange }), Orange.a, 0);
+}
+
+/// Same plane, same depth: the depth test of VTK lets equal depths pass.
+void CheckCoplanar(TestReport& report, TestRig& rig, const Setup& setup)
+{
+  rig.RemoveProps();
+  rig.AddQuad({ 0.5f, Blue });
+  CheckSingleLayer(report, rig, setup, "coplanar quads",
+    rig.AddQuad({ 0.5f, Orange }, { 4.0, 5.0, 40.0, 30.0 }), Orange.a);
+  rig.RemoveProps();
+  rig.AddRamp(0.2, 0.8, Blue);
+  CheckSingleLayer(report, rig, setup, "coplanar ramps", rig.AddRamp(0.2, 0.8, Orange), Orange.a,
+    20, 0);
+}
+
+/// Offsets, which VTK's mappers write to gl_FragDepth, decide between coplanar faces.
+void CheckPolygonOffset(TestReport& report, TestRig& rig, const Setup& setup)
+{
+  vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+  for (const double units : { -200.0, 200.0 })
+  {
+    rig.RemoveProps();
+    rig.AddQuad({ 0.5f, Blue });
+    vtkActor* actor = rig.AddQuad({ 0.5f, Orange }, { 4.0, 5.0, 40.0, 30.0 });
+    actor->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, units);
+    CheckSingleLayer(report, rig, setup, "offset by " + std::to_string(int(units)) + " units",
+      actor, Orange.a, units < 0.0 ? 20 : 0);
+    if (units > 0.0)
+    {
+      const glm::dvec4 blue(Blue);
+      report.Compare("offset behind, hidden", rig.Render(), Everywhere(blue), { 0.0, 0.0 });
+    }
+  }
+  vtkMapper::SetResolveCoincidentTopologyToDefault();
+}
+
+/// Lines and points, partly inside an opaque sphere. Distant from each other: one fragment each.
+void CheckLinesAndPoints(TestReport& report, TestRig& rig, const Setup& setup)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(0.5);
+  sphere->Update();
+  vtkNew<vtkLineSource> line;
+  line->SetPoint1(-0.9, -0.5, 0.6);
+  line->SetPoint2(0.9, 0.6, -0.2);
+  line->Update();
+  rig.RemoveProps();
+  rig.AddPolyData(sphere->GetOutput(), Blue);
+  vtkActor* actor = rig.AddPolyData(line->GetOutput(), Orange);
+  CheckSingleLayer(report, rig, setup, "line", actor, Orange.a, 10);
+  actor->GetProperty()->SetLineWidth(3.0);
+  CheckSingleLayer(report, rig, setup, "wide line", actor, Orange.a, 30);
+
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> vertices;
+  for (int i = 0; i < 12; ++i)
+  {
+    vertices->InsertNextCell(1);
+    vertices->InsertCellPoint(
+      points->InsertNextPoint(-0.9 + 0.3 * (i % 6), i < 6 ? -0.2 : 0.3, i % 2 ? 0.5 : 0.0));
+  }
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  cloud->SetVerts(vertices);
+  rig.RemoveProps();
+  rig.AddPolyData(sphere->GetOutput(), Blue);
+  actor = rig.AddPolyData(cloud, Orange);
+  actor->GetProperty()->SetPointSize(4.0);
+  CheckSingleLayer(report, rig, setup, "points", actor, Orange.a);
+}
+}
+
+int TestOpaqueOcclusion(int argc, char* argv[])
+{
+  return RunTest(argc, argv, Setups::All,
+    [](TestReport& report, const Setup& setup)
+    {
+      TestRig rig(setup, 64, 48);
+      CheckIntersections(report, rig, setup);
+      CheckCoplanar(report, rig, setup);
+      CheckPolygonOffset(report, rig, setup);
+      CheckLinesAndPoints(report, rig, setup);
+    });
+}

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Installing a pass in a renderer that exists, replacing it, and giving the renderer back.
+
+#include "TestRandom.h"
+#include "TestRig.h"
+
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkOITRendererHook.h"
+#include "vtkOutputWindow.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkStringOutputWindow.h"
+
+using namespace vtkOITTest;
+
+namespace
+{
+/// Renderer and pass missing: false and one message that says so.
+void CheckErrors(TestReport& report, const Setup& setup)
+{
+  vtkSmartPointer<vtkOutputWindow> previous = vtkOutputWindow::GetInstance();
+  vtkNew<vtkStringOutputWindow> messages;
+  vtkOutputWindow::SetInstance(messages);
+  vtkNew<vtkRenderer> renderer;
+  const auto pass = setup.CreatePass();
+  report.Check(!vtkOITRendererHook::Install(nullptr, pass), "installed without a renderer");
+  const std::string first = messages->GetOutput();
+  report.Check(!vtkOITRendererHook::Install(renderer, nullptr), "installed without a pass");
+  const std::string second = messages->GetOutput();
+  vtkOutputWindow::SetInstance(previous);
+  report.Check(first.find("renderer") != std::string::npos, "no message about the renderer");
+  report.Check(second.size() > first.size(), "no message about the pass");
+  report.Check(!vtkOITRendererHook::GetInstalledPass(nullptr), "a pass in no renderer");
+  report.Check(!vtkOITRendererHook::GetInstalledPass(renderer), "a pass in a fresh renderer");
+  report.Check(!vtkOITRendererHook::Uninstall(renderer), "uninstalled from a fresh renderer");
+}
+
+void CheckCycle(TestReport& report, const Setup& setup)
+{
+  const std::vector<Layer> layers = Random(51).Layers(8);
+  TestRig rig(setup, 16, 12);
+  setup.Detach(rig.Renderer);
+  rig.AddStack(layers);
+  const TestReport::Expected expected =
+    Everywhere(ReferenceCompositor::Composite(layers, rig.GetBackground()));
+  const Tolerance bound =
+    ReferenceCompositor::RoundingBound(layers, rig.GetBackground(), setup.FragmentStorage);
+
+  for (const int usePeeling : { 0, 1 })
+  {
+    const std::string what = usePeeling ? "with peeling" : "without peeling";
+    rig.Renderer->SetUseDepthPeeling(usePeeling);
+    rig.Renderer->SetMaximumNumberOfPeels(2);
+    const Image before = rig.Render();
+
+    report.Check(vtkOITRendererHook::Install(rig.Renderer, rig.Pass), what + ": not installed");
+    report.Check(
+      vtkOITRendererHook::GetInstalledPass(rig.Renderer) == rig.Pass, what + ": another pass");
+    report.Compare(what + ": installed", rig.Render(), expected, bound);
+    report.Check(rig.Pass->GetNumberOfGeometryPasses() > 0, what + ": the pass was not used");
+
+    const auto other = setup.CreatePass();
+    report.Check(vtkOITRendererHook::Install(rig.Renderer, other), what + ": not replaced");
+    report.Check(vtkOITRendererHook::Install(rig.Renderer, other), what + ": not installed twice");
+    report.Check(
+      vtkOITRendererHook::GetInstalledPass(rig.Renderer) == other, what + ": not the new pass");
+    report.Compare(what + ": replaced", rig.Render(), expected, bound);
+    report.Check(other->GetNumberOfGeometryPasses() > 0, what + ": the new pass was not used");
+
+    report.Check(vtkOITRendererHook::Uninstall(rig.Renderer), what + ": not uninstalled");
+    report.Check(!vtkOITRendererHook::Uninstall(rig.Renderer), what + ": uninstalled twice");
+    report.Check(
+      !vtkOITRendererHook::GetInstalledPass(rig.Renderer), what + ": a pass is left behind");
+    report.Check(rig.Renderer->GetUseDepthPeeling() == usePeeling, what + ": peeling changed");
+    report.Check(rig.Renderer->GetMaximumNumberOfPeels() == 2, what + ": peels changed");
+    report.Check(other->GetBufferSizeInBytes() == 0, what + ": buffers are left behind");
+    report.CompareBits(what + ": picture after uninstalling", rig.Render(), before);
+  }
+
+  // The window goes away while a pass is installed, and the pass outlives it.
+  vtkSmartPointer<vtkOITPass> survivor = setup.CreatePass();
+  {
+    TestRig other(setup, 16, 12);
+    vtkOITRendererHook::Install(other.Renderer, survivor);
+    other.AddStack(layers);
+    report.Compare("in another window", other.Render(), expected, bound);
+  }
+  vtkOITRendererHook::Install(rig.Renderer, survivor);
+  report.Compare("moved to a window that was there before", rig.Render(), expected, bound);
+}
+}
+
+int TestRendererHook(int argc, char* argv[])
+{
+  return RunTest(argc, argv, Setups::Storages,
+    [](TestReport& report, const Setup& setup)
+    {
+      CheckErrors(report, setup);
+      CheckCycle(report, setup);
+    });
+}

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The window changes its size between frames: every size is right, and a size seen before gives
+// the same bits again.
+
+#include "TestRandom.h"
+#include "TestRig.h"
+
+#include <map>
+
+using namespace vtkOITTest;
+
+int TestResize(int argc, char* argv[])
+{
+  return RunTest(argc, argv, Setups::All,
+    [](TestReport& report, const Setup& setup)
+    {
+      const std::vector<Layer> layers = Random(17).Layers(12);
+      TestRig rig(setup, 64, 64);
+      const glm::dvec4 background = rig.GetBackground();
+      const Tolerance bound =
+        ReferenceCompositor::RoundingBound(layers, background, setup.FragmentStorage);
+      const glm::dvec4 inside = ReferenceCompositor::Composite(layers, background);
+      std::map<std::pair<int, int>, Image> seen;
+      const std::pair<int, int> sizes[] = { { 64, 64 }, { 200, 100 }, { 31, 77 }, { 1, 1 },
+        { 64, 64 }, { 300, 7 }, { 200, 100 } };
+      for (const auto& size : sizes)
+      {
+        const std::string what = std::to_string(size.first) + "x" + std::to_string(size.second);
+        rig.SetSize(size.first, size.second);
+        rig.RemoveProps();
+        // A border of a few pixels, so that a stale size shows.
+        const PixelRectangle rectangle{ size.first > 10 ? 3.0 : 0.0, size.second > 10 ? 4.0 : 0.0,
+          double(size.first), double(size.second) };
+        for (const Layer& layer : layers)
+        {
+          rig.AddQuad(layer, rectangle);
+        }
+        const TestReport::Expected expected = [&](int x, int y)
+        { return rectangle.Contains(x, y) ? inside : background; };
+        const Image image = rig.Render();
+        report.Check(image.Width == size.first && image.Height == size.second,
+          what + ": the target has another size");
+        report.Compare(what, image, expected, bound);
+        report.Compare(
+          what + " in the window", rig.RenderWindow(), expected, bound + TestRig::WindowTolerance());
+        const auto first = seen.emplace(size, image);
+        report.CompareBits(what + " again", image, first.first->second);
+      }
+    });
+}
