@@ -1,0 +1,197 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command line: python3 -m vtkoit, build/bin/vtkoit."""
+
+import argparse
+import os
+import re
+import signal
+import sys
+import traceback
+
+from .errors import Error, one_line
+from .version import PYTHON_VERSION, VERSION
+
+_MAIN = """examples:
+  {prog} info
+  {prog} render skull.stl -o skull.png
+  {prog} render head.mhd --isosurface 500 1150 --opacity 0.3 0.9 -o head.png
+  {prog} showcase -o pictures"""
+
+_RENDER = """Volumes and grids give isosurfaces (--isosurface) or label surfaces (--labels), surfaces are drawn
+as they are. Without either option a volume of few whole numbers is drawn by labels, any other by two
+isovalues, which are printed. Several pictures (png, tif, ...) of one format make one volume.
+
+examples:
+  {prog} ironProt.vtk --isosurface 40 80 120 --opacity 0.2 -o protein.png
+  {prog} frog.mhd --labels --smooth 30 --background transparent -o frog.png
+  {prog} disk.ex2 --isosurface 400 600 --contour Temp --scalars Pres --colormap coolwarm -o disk.png
+  {prog} slices/*.tif --spacing 0.5,0.5,2 --isosurface 100 --camera -y -o scan.png
+  {prog} quarter.* --raw 64x64:uint16 --spacing 3.2,3.2,1.5 -o head.png
+  {prog} outer.stl inner.stl --color steelblue tomato --opacity 0.3 1 --size 1600x1200 -o parts.png"""
+
+_INFO = """Prints the versions, the class of the render window, the OpenGL context with the extensions that
+matter here, and for each method whether it runs and, if not, what is missing.
+
+example:
+  {prog}"""
+
+_SHOWCASE = """Draws procedural scenes three ways: VTK's default translucency, VTK's dual depth peeling until it
+is done, and vtkOIT. Prints the files, the time per frame, and the error of the colours (0 to 255) against
+a CPU reference that sorts every pixel's fragments in double precision. Pixels at silhouettes, which a
+rasteriser may or may not cover, are left out of the error.
+
+example:
+  {prog} -o pictures"""
+
+
+class _Parser(argparse.ArgumentParser):
+    """Errors in one line, and numbers such as -1e-3 or -1,0,0 are arguments, not options."""
+
+    def __init__(self, *arguments, **keywords):
+        super().__init__(*arguments, formatter_class=argparse.RawDescriptionHelpFormatter,
+                         allow_abbrev=False, **keywords)
+        self._negative_number_matcher = re.compile(r"^-[\d.]")
+
+    def error(self, message):
+        self.exit(2, "%s: %s (see %s -h)\n" % (self.prog, one_line(message), self.prog))
+
+
+def parser(prog="vtkoit"):
+    """The argparse parser of the whole command line."""
+    top = _Parser(prog=prog, description="Exact order-independent transparency for VTK data.",
+                  epilog=_MAIN.format(prog=prog))
+    top.add_argument("--version", action="version", version="vtkOIT " + VERSION)
+    commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True)
+
+    def add(name, text, epilog):
+        return commands.add_parser(name, help=text, description=text[0].upper() + text[1:] + ".",
+                                   epilog=epilog.format(prog="%s %s" % (prog, name)))
+
+    _add_render(add("render", "draw data files to a picture", _RENDER))
+    add("info", "tell what this machine renders with", _INFO)
+    showcase = add("showcase", "draw scenes with VTK's methods and ours, and compare", _SHOWCASE)
+    showcase.add_argument("-o", "--output", default="showcase", metavar="DIR",
+                          help="folder of the pictures, made if missing (default: %(default)s)")
+    showcase.add_argument("--size", default="500x500", metavar="WxH",
+                          help="size of each picture in pixels (default: %(default)s)")
+    return top
+
+
+def _add_render(render):
+    option = render.add_argument
+    option("inputs", nargs="+", metavar="INPUT",
+           help="a file of any format that VTK reads, told by its extension, or a DICOM folder")
+    option("-o", "--output", required=True, metavar="FILE", help="the picture: .png .tif .jpg ...")
+    what = render.add_argument_group("what is drawn")
+    option = what.add_argument
+    option("--isosurface", nargs="+", metavar="V", help="isovalues of volumes and grids")
+    option("--contour", metavar="NAME",
+           help="array that --isosurface or --labels is about (default: the active scalars)")
+    option("--labels", nargs="*", metavar="L",
+           help="one surface for each label of a label volume; all but 0, or those given")
+    option("--smooth", type=int, default=20, metavar="N",
+           help="smoothing of label surfaces, iterations, 0 for none (default: %(default)s)")
+    option("--raw", metavar="WxH[xD]:TYPE[:big]",
+           help="read files without a header, TYPE such as uint16; one file, or one a slice")
+    option("--spacing", metavar="X,Y,Z", help="distances between the samples of volumes")
+    look = render.add_argument_group("how it looks")
+    option = look.add_argument
+    option("--opacity", nargs="+", metavar="A",
+           help="from 0 to 1, one a surface in their order, the last one for the rest")
+    option("--color", nargs="+", metavar="C", help="names, #rrggbb or r,g,b; repeated")
+    option("--scalars", metavar="NAME", help="colour the surfaces by this array")
+    option("--colormap", default="viridis", metavar="NAME",
+           help="viridis plasma inferno coolwarm gray rainbow, each also reversed: viridis-r "
+                "(default: %(default)s)")
+    option("--range", metavar="LOW,HIGH", help="the values at the colour map's two ends")
+    option("--background", default="white", metavar="C",
+           help="a colour, or transparent (default: %(default)s)")
+    view = render.add_argument_group("view and method")
+    option = view.add_argument
+    option("--camera", default="iso", metavar="WHERE",
+           help="x -x y -y z -z iso, AZIMUTH,ELEVATION in degrees, a direction X,Y,Z, or nine "
+                "numbers: position, focal point, view up (default: %(default)s)")
+    option("--up", default="z", metavar="AXIS", help="axis that points up (default: %(default)s)")
+    option("--zoom", default="1", metavar="F", help="above 1 for closer (default: %(default)s)")
+    option("--parallel", action="store_true", help="parallel instead of perspective projection")
+    option("--size", default="1000x800", metavar="WxH", help="pixels (default: %(default)s)")
+    option("--samples", type=int, default=4, metavar="N",
+           help="multisampling for smooth edges, 0 for none (default: %(default)s)")
+    option("--method", default="abuffer", metavar="M",
+           help="see the command info (default: %(default)s)")
+    option("--set", action="append", metavar="NAME=VALUE",
+           help="a property of the method, such as FragmentPrecision=float; may be repeated")
+
+
+def _joined(arguments):
+    """Joins --camera -x into --camera=-x, which argparse would take for an option."""
+    result = []
+    for argument in arguments:
+        if result and result[-1] in ("--camera", "--up") and argument[:1] == "-":
+            result[-1] += "=" + argument
+        else:
+            result.append(argument)
+    return result
+
+
+def main(prog="vtkoit", arguments=None):
+    """Runs the command line; returns the exit status: 0, 1 for an error, 2 for wrong usage.
+
+    arguments: list of str, default those of the process.
+    """
+    try:
+        options = parser(prog).parse_args(_joined(sys.argv[1:] if arguments is None else arguments))
+    except SystemExit as leave:
+        return leave.code or 0
+    name = "%s %s" % (prog, options.command)
+    try:
+        _run(options)
+        sys.stdout.flush()
+        return 0
+    except Error as error:
+        return _fail(name, one_line(error))
+    except KeyboardInterrupt:
+        _fail(name, "interrupted")
+        return 128 + signal.SIGINT
+    except BrokenPipeError:
+        # Whoever read our output has left; Python must not complain about it at its end.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+        return 1
+    except MemoryError:
+        return _fail(name, "out of memory; use a smaller --size or fewer inputs")
+    except ModuleNotFoundError as error:
+        if error.name and error.name.startswith("numpy"):
+            return _fail(name, "needs NumPy for Python %s (Debian: python3-numpy)" % PYTHON_VERSION)
+        return _fail(name, "this Python lacks a module: %s" % one_line(error))
+    except Exception as error:  # pylint: disable=broad-except
+        where = traceback.extract_tb(error.__traceback__)[-1]
+        return _fail(name, "internal error, please report it: %s: %s (%s:%d)" % (
+            type(error).__name__, one_line(error), os.path.basename(where.filename), where.lineno))
+
+
+def _fail(name, message):
+    sys.stdout.flush()
+    sys.stderr.write("%s: %s\n" % (name, message))
+    return 1
+
+
+def _run(options):
+    from .progress import Progress
+
+    progress = Progress()
+    try:
+        if options.command == "info":
+            from . import info
+
+            info.run()
+        elif options.command == "render":
+            from . import render
+
+            render.run(options, progress)
+        else:
+            from . import showcase
+
+            showcase.run(options.output, options.size, progress)
+    finally:
+        progress.clear()

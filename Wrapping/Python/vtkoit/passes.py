@@ -1,0 +1,149 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The methods by name, and the properties of their passes by name."""
+
+import collections
+
+from .errors import listen, one_line
+from .vtkOIT import vtkOITPassFactory
+
+MethodInfo = collections.namedtuple("MethodInfo", "name class_name missing")
+MethodInfo.__doc__ = """A method: name (str, what install() takes), class_name (str), and missing
+(str): empty when it runs in the context asked about, otherwise one line that says what is missing."""
+
+
+def methods():
+    """The names of all methods, list of str."""
+    number = vtkOITPassFactory.GetNumberOfMethods()
+    return [vtkOITPassFactory.GetMethodName(i) for i in range(number)]
+
+
+def create(method="abuffer", **values):
+    """A new pass (vtkOITPass) for a method's name, with the given properties.
+
+    It goes where VTK's translucent passes go: vtkRenderStepsPass.SetTranslucentPass(), or a
+    vtkSequencePass behind a vtkOpaquePass. Raises ValueError for an unknown method, property or
+    value, in one line that lists the valid ones.
+    """
+    new_pass = vtkOITPassFactory.CreatePass(str(method))
+    if new_pass is None:
+        raise ValueError(
+            "unknown method %r; the methods are: %s" % (method, ", ".join(methods())))
+    for name, value in values.items():
+        set_property(new_pass, name, value)
+    return new_pass
+
+
+def method_info(window=None):
+    """Which methods run in a window's OpenGL context, list of MethodInfo.
+
+    window: a vtkRenderWindow that was rendered at least once; None for a new window of the kind
+    that this process makes.
+    """
+    if window is None:
+        from .windows import make_window
+
+        window = make_window(None, (8, 8))
+    if window.GetNeverRendered():
+        window.Render()
+    result = []
+    for name in methods():
+        instance = create(name)
+        missing = one_line_or_empty(instance.GetMissingCapability(window))
+        result.append(MethodInfo(name, instance.GetClassName(), missing))
+        instance.ReleaseGraphicsResources(window)
+    return result
+
+
+def one_line_or_empty(text):
+    """A str without line breaks."""
+    return " ".join(text.split())
+
+
+def properties(method="abuffer"):
+    """The properties of a method with their default values, dict of str to value.
+
+    A property with named values maps to the name of its default, e.g. "half".
+    """
+    instance = create(method)
+    return {name: _read(instance, name) for name in _property_names(instance)}
+
+
+def set_property(instance, name, value):
+    """Sets one property of a pass by name.
+
+    name: str as in C++ without Set (MaximumBufferSize); case and underscores do not matter, so
+    maximum_buffer_size is the same. value: what the C++ setter takes, or one of the property's
+    named values as str ("float" for FragmentPrecision). Raises ValueError in one line.
+    """
+    names = _property_names(instance)
+    found = [candidate for candidate in names if _plain(candidate) == _plain(name)]
+    if not found:
+        raise ValueError("%s has no property %r; it has: %s"
+                         % (instance.GetClassName(), name, ", ".join(names)))
+    _write(instance, found[0], value)
+
+
+def _plain(name):
+    return str(name).replace("_", "").lower()
+
+
+def _property_names(instance):
+    """Names of what can be set and read on a pass, beyond what every VTK render pass has."""
+    from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLRenderPass
+
+    inherited = set(dir(vtkOpenGLRenderPass))
+    return sorted(name[3:] for name in dir(instance)
+                  if name.startswith("Set") and name not in inherited
+                  and hasattr(instance, "Get" + name[3:]))
+
+
+def _named_values(instance, name):
+    """The named values of a property, dict of lower-case str to setter; empty for most."""
+    prefix = "Set%sTo" % name
+    return {_plain(setter[len(prefix):]): getattr(instance, setter)
+            for setter in dir(instance) if setter.startswith(prefix)}
+
+
+def _read(instance, name):
+    value = getattr(instance, "Get" + name)()
+    if not isinstance(value, int):
+        return value
+    # Enumerations: the constant of that name tells the number.
+    for text in _named_values(instance, name):
+        if getattr(instance, text.upper(), None) == value:
+            return text
+    return value
+
+
+def _write(instance, name, value):
+    named = _named_values(instance, name)
+    if isinstance(value, str):
+        if _plain(value) in named:
+            named[_plain(value)]()
+            return
+        try:
+            value = int(value) if value.strip().lstrip("+-").isdigit() else float(value)
+        except ValueError:
+            expected = "one of %s" % ", ".join(sorted(named)) if named else "a number"
+            raise ValueError("%s=%r is refused; give %s" % (name, value, expected)) from None
+    getter = getattr(instance, "Get" + name)
+    before = getter()
+    if isinstance(before, int) and isinstance(value, float) and value.is_integer():
+        value = int(value)
+    with listen(instance) as messages:
+        try:
+            getattr(instance, "Set" + name)(value)
+        except (TypeError, ValueError, OverflowError) as error:
+            reason = "%s=%r is refused: %s" % (name, value, one_line(error))
+            raise ValueError(reason) from None
+    # VTK's setters clamp in silence; a value that was not asked for is worse than an error.
+    after = getter()
+    if after != value:
+        getattr(instance, "Set" + name)(before)
+        reason = messages[0] if messages else ""
+        if not reason:
+            reason = "%s=%r is refused; the nearest valid value is %r" % (name, value, after)
+            if named:
+                reason += " (%s)" % ", ".join(sorted(named))
+        raise ValueError(reason)

@@ -1,0 +1,175 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command render: from files to a picture."""
+
+import time
+
+from . import camera, colors, picture, scene
+from .errors import Error, capture
+from .hook import install
+from .passes import methods
+from .read import parse_raw, read_all
+from .surfaces import Request, make_surfaces
+from .windows import headless, make_window
+
+LARGEST_SIDE = 16384  # pixels
+
+
+def parse_size(text):
+    """(width, height), int, of a str such as 800x600. Raises Error."""
+    parts = text.lower().split("x")
+    if len(parts) == 2 and all(part.isdigit() for part in parts):
+        size = (int(parts[0]), int(parts[1]))
+        if all(1 <= side <= LARGEST_SIDE for side in size):
+            return size
+    raise Error("--size %s: give WIDTHxHEIGHT, each from 1 to %d, such as 800x600"
+                % (text, LARGEST_SIDE))
+
+
+def parse_numbers(option, texts, low=None, high=None):
+    """The floats of a list of str, of which some may hold several with commas. Raises Error."""
+    result = []
+    for text in ",".join(texts).split(","):
+        try:
+            value = float(text)
+        except ValueError:
+            hint = "; input files go before the options" if "." in text or "/" in text else ""
+            raise Error("%s: %r is not a number%s" % (option, text, hint)) from None
+        if value != value or value in (float("inf"), float("-inf")):
+            raise Error("%s: %r is not a finite number" % (option, text))
+        if low is not None and not low <= value <= high:
+            raise Error("%s: %s is not in the range from %g to %g" % (option, text, low, high))
+        result.append(value)
+    return result
+
+
+def parse_properties(texts):
+    """The dict for install() of a list of str such as FragmentPrecision=float. Raises Error."""
+    result = {}
+    for text in texts:
+        name, equals, value = text.partition("=")
+        if not name or not equals or not value:
+            raise Error("--set %s: give NAME=VALUE" % text)
+        result[name] = value
+    return result
+
+
+def run(arguments, progress):
+    """Renders what the command line says; arguments: argparse.Namespace of cli. Raises Error."""
+    # Everything that can be wrong with the options is found before the work.
+    options = _Options(arguments)
+    inputs = read_all(arguments.inputs, progress, options.raw, options.spacing)
+    surfaces, notes = make_surfaces(inputs, options.request, progress)
+    del inputs
+    renderer = scene.build(surfaces, options.style)
+    try:
+        headless()
+    except RuntimeError as error:
+        raise Error(str(error)) from None
+    try:
+        translucency = install(renderer, arguments.method, **options.properties)
+    except ValueError as error:
+        raise Error("--set: %s" % error) from None
+    camera.place(renderer, options.camera, options.up, options.zoom, arguments.parallel)
+    progress.begin("rendering")
+    pixels, seconds = draw(renderer, options.size, arguments.samples, translucency)
+    picture.save(pixels, arguments.output, options.style.background is None)
+    progress.clear()
+    for note in notes:
+        print(note)
+    triangles = sum(surface.data.GetNumberOfPolys() for surface in surfaces)
+    print("%s: %dx%d, %d surface%s, %s polygons, %s, %.2f s" % (
+        arguments.output, *options.size, len(surfaces), "s"[:len(surfaces) != 1],
+        format(triangles, ","), _what_was_drawn(translucency), seconds))
+
+
+def _what_was_drawn(translucency):
+    layers = translucency.GetMaximumDepthComplexity()
+    if translucency.GetNumberOfGeometryPasses() == 0:
+        return "nothing translucent"
+    if layers < 0:
+        return translucency.GetAlgorithmName()
+    return "up to %d layers by %s" % (layers, translucency.GetAlgorithmName())
+
+
+def draw(renderer, size, samples, translucency):
+    """(pixels as from picture.grab(), seconds of the frame). Raises Error when the method, the pass
+    translucency, cannot run in the context."""
+    with capture() as captured:
+        window = make_window(renderer, size, samples)
+        start = time.perf_counter()
+        window.Render()
+        seconds = time.perf_counter() - start
+        missing = translucency.GetMissingCapability(window)
+        pixels = picture.grab(window) if not missing else None
+        window.Finalize()
+    if missing:
+        raise Error("this method does not run here: %s" % " ".join(missing.split()))
+    if captured.errors(1):
+        raise Error("rendering failed: %s" % captured.errors(1))
+    return pixels, seconds
+
+
+class _Options:
+    """The options of the command line, checked and turned into what the other modules take."""
+
+    def __init__(self, arguments):
+        if arguments.method not in methods():
+            raise Error("--method %s: unknown; the methods are: %s"
+                        % (arguments.method, " ".join(methods())))
+        self.size = parse_size(arguments.size)
+        self.camera = camera.parse(arguments.camera)
+        self.up = camera.axis(arguments.up)
+        self.zoom = parse_numbers("--zoom", [arguments.zoom], 0.01, 100.0)[0]
+        self.properties = parse_properties(arguments.set or [])
+        self.raw = parse_raw(arguments.raw) if arguments.raw else None
+        self.spacing = self._spacing(arguments.spacing)
+        colors.check_colormap(arguments.colormap)
+        self.style = self._style(arguments)
+        picture.check_output(arguments.output, self.style.background is None)
+        self.request = self._request(arguments)
+        if not 0 <= arguments.samples <= 16:
+            raise Error("--samples %d: give 0 (none) to 16" % arguments.samples)
+
+    @staticmethod
+    def _spacing(text):
+        if text is None:
+            return None
+        values = parse_numbers("--spacing", [text], 1e-12, 1e12)
+        if len(values) != 3:
+            raise Error("--spacing %s: give X,Y,Z, the distances between samples" % text)
+        return values
+
+    @staticmethod
+    def _style(arguments):
+        limits = None
+        if arguments.range is not None:
+            limits = parse_numbers("--range", [arguments.range])
+            if len(limits) != 2 or limits[0] >= limits[1]:
+                raise Error("--range %s: give LOW,HIGH" % arguments.range)
+        return scene.Style(
+            opacities=parse_numbers("--opacity", arguments.opacity, 0.0, 1.0)
+            if arguments.opacity else None,
+            colors=[colors.parse_color(text) for text in arguments.color]
+            if arguments.color else None,
+            scalars=arguments.scalars,
+            colormap=arguments.colormap,
+            range=limits,
+            background=None if arguments.background == "transparent"
+            else colors.parse_color(arguments.background))
+
+    @staticmethod
+    def _request(arguments):
+        labels = None
+        if arguments.labels is not None:
+            labels = [int(value) for value in
+                      parse_numbers("--labels", arguments.labels, -2 ** 31, 2 ** 31 - 1)] \
+                if arguments.labels else []
+        if labels is not None and arguments.isosurface:
+            raise Error("--isosurface and --labels exclude each other; give one of them")
+        if arguments.smooth < 0 or arguments.smooth > 1000:
+            raise Error("--smooth %d: give 0 (none) to 1000 iterations" % arguments.smooth)
+        return Request(
+            isovalues=parse_numbers("--isosurface", arguments.isosurface)
+            if arguments.isosurface else None,
+            contour=arguments.contour, labels=labels, smoothing=arguments.smooth)
