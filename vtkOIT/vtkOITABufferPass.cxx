@@ -38,7 +38,7 @@ public:
   void ChooseShaders(const vtkOITFrame& frame, bool floatColor);
   void Begin(const vtkOITFrame& frame);
   vtkOITFragmentStore::Counters Resolve(const vtkOITFrame& frame);
-  std::int64_t GetNodeLimit(const vtkOITFrame& frame, std::int64_t maximumBytes) const;
+  std::int64_t GetLargestPool(const vtkOITFrame& frame, std::int64_t maximumBytes) const;
 
   vtkOITFragmentStore Store;
   vtkOITDepthCopy DepthCopy;
@@ -104,16 +104,21 @@ void vtkOITABufferPass::Internals::ChooseShaders(const vtkOITFrame& frame, bool 
 }
 
 //------------------------------------------------------------------------------
-std::int64_t vtkOITABufferPass::Internals::GetNodeLimit(
+std::int64_t vtkOITABufferPass::Internals::GetLargestPool(
   const vtkOITFrame& frame, std::int64_t maximumBytes) const
 {
-  std::int64_t bytes = vtkOITFragmentStore::GetLargestPool(*frame.Capabilities);
+  const std::int64_t bytes = vtkOITFragmentStore::GetLargestPool(*frame.Capabilities);
   // A single pixel cannot be divided: exactness goes before the limit then.
-  if (maximumBytes > 0 && this->Band.GetArea() > 1)
+  if (maximumBytes == 0 || this->Band.GetArea() == 1)
   {
-    bytes = std::min(bytes, maximumBytes - 4 * this->Band.GetArea());
+    return bytes;
   }
-  return bytes / this->Shaders.GetBytesPerNode() - 1; // the store leaves one node unused
+  // Other bands may be one row higher, and lie otherwise on the tiles.
+  vtkOITRectangle highest = this->Band;
+  ++highest.Height;
+  return std::min(bytes,
+    maximumBytes - vtkOITFragmentStore::GetFixedBytes(highest) -
+      vtkOITDepthCopy::GetBytes(highest, frame.Target));
 }
 
 //------------------------------------------------------------------------------
@@ -122,9 +127,18 @@ void vtkOITABufferPass::RenderTranslucent(vtkOITFrame& frame)
   Internals& impl = *this->Impl;
   impl.Frame = &frame;
   frame.GLState->vtkglEnable(GL_SCISSOR_TEST);
-  // List heads take at most half of the memory that is allowed.
-  impl.Bands.Begin(frame.Rectangle,
-    this->MaximumBufferSize > 0 ? this->MaximumBufferSize / 8 : frame.Rectangle.GetArea());
+  std::int64_t largestBand = frame.Rectangle.GetArea();
+  if (this->MaximumBufferSize > 0)
+  {
+    // Three quarters and more of what is allowed are for fragments.
+    largestBand = this->MaximumBufferSize / (16 * (1 + std::max(1, frame.Target.Samples)));
+    if (this->BufferSizeInBytes > this->MaximumBufferSize)
+    {
+      impl.Store.Release(); // from before the limit was set
+      impl.DepthCopy.Release();
+    }
+  }
+  impl.Bands.Begin(frame.Rectangle, largestBand);
   while (impl.Bands.GetNext(impl.Band))
   {
     const std::int64_t needed = this->RenderBand(frame);
@@ -153,9 +167,9 @@ vtkTypeInt64 vtkOITABufferPass::RenderBand(vtkOITFrame& frame)
   for (std::int64_t before = -1;;)
   {
     impl.ChooseShaders(frame, this->FragmentPrecision == FLOAT);
-    const std::int64_t limit = impl.GetNodeLimit(frame, this->MaximumBufferSize);
-    impl.Store.Reserve(frame.Window, *frame.Capabilities, impl.Band, std::min(wanted, limit),
-      impl.Shaders.GetBytesPerNode());
+    const std::int64_t largestPool = impl.GetLargestPool(frame, this->MaximumBufferSize);
+    impl.Store.Reserve(frame.Window, *frame.Capabilities, impl.Band, wanted,
+      impl.Shaders.GetBytesPerNode(), largestPool);
     impl.ChooseShaders(frame, this->FragmentPrecision == FLOAT); // as the pool is now
     impl.Begin(frame);
     this->RenderGeometry(frame);
@@ -169,7 +183,7 @@ vtkTypeInt64 vtkOITABufferPass::RenderBand(vtkOITFrame& frame)
     }
     // A count that is not beyond the capacity has wrapped around 2^32.
     needed = counters.FragmentCount > capacity ? counters.FragmentCount : INT64_C(1) << 32;
-    if (capacity >= limit || capacity <= before)
+    if (impl.Store.GetPoolBytes() >= largestPool || capacity <= before)
     {
       break;
     }
@@ -256,7 +270,7 @@ bool vtkOITABufferPass::SetShaderParameters(
   {
     if (!impl.HasDepthCopy)
     {
-      impl.DepthCopy.Copy(*impl.Frame, DepthUnit);
+      impl.DepthCopy.Copy(*impl.Frame, impl.Band, DepthUnit);
       impl.HasDepthCopy = true;
     }
     const vtkOITTarget& target = impl.Frame->Target;

@@ -88,6 +88,11 @@ public:
   vtkGetMacro(MaximumBufferSize, vtkTypeInt64);
   ///@}
 
+  /// Sets the statistics to those of a frame without translucent props. Render() does so first;
+  /// vtkOITRendererHook does so for frames in which the renderer finds nothing translucent, and so
+  /// does not render the pass.
+  void ResetStatistics();
+
   /// Statistics of the last Render().
   ///@{
   /// How often the delegate drew the translucent props.
@@ -131,7 +136,6 @@ protected:
   double ErrorBound = 0.0;
 
 private:
-  void ResetStatistics();
   void RenderUnsorted(const vtkRenderState* state, const std::string& reason);
   const vtkOITCapabilities& QueryCapabilities(vtkOpenGLRenderWindow* window);
 

@@ -3,6 +3,7 @@
 #include "vtkOITRendererHook.h"
 
 #include "vtkOITPass.h"
+#include "vtkCommand.h"
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderer.h"
@@ -34,7 +35,10 @@ public:
     this->Superclass::ReleaseGraphicsResources(window);
   }
 
+  void ResetStatistics() { this->Pass->ResetStatistics(); }
+
   vtkSmartPointer<vtkOITPass> Pass;
+  unsigned long Observer = 0; // of the renderer's StartEvent
   vtkDepthPeelingPass* Previous = nullptr; // what the renderer owned before
   bool PreviousUseDepthPeeling = false;
 
@@ -86,6 +90,8 @@ bool vtkOITRendererHook::Install(vtkRenderer* renderer, vtkOITPass* pass)
     adapter = Adapter::New(); // owned by the renderer, which calls Delete()
     adapter->Previous = Access::Slot(glRenderer);
     adapter->PreviousUseDepthPeeling = renderer->GetUseDepthPeeling() != 0;
+    adapter->Observer =
+      renderer->AddObserver(vtkCommand::StartEvent, adapter, &Adapter::ResetStatistics);
     Access::Slot(glRenderer) = adapter;
   }
   else if (adapter->Pass != pass && renderer->GetVTKWindow())
@@ -109,6 +115,7 @@ bool vtkOITRendererHook::Uninstall(vtkRenderer* renderer)
   {
     adapter->ReleaseGraphicsResources(renderer->GetVTKWindow());
   }
+  renderer->RemoveObserver(adapter->Observer);
   renderer->SetUseDepthPeeling(adapter->PreviousUseDepthPeeling);
   Access::Slot(vtkOpenGLRenderer::SafeDownCast(renderer)) = adapter->Previous;
   adapter->Previous = nullptr;

@@ -93,10 +93,14 @@ void vtkOITABufferResolver::Composite(const vtkOITFrame& frame, const vtkOITFrag
   constexpr int size = vtkOITTileGrid::TileSize;
   state->vtkglViewport(grid.FirstColumn * size, grid.FirstRow * size, grid.Columns * size,
     grid.Rows * size);
-  store.BindTiles(state, TileUnit);
 
   const auto maximum =
     static_cast<int>(*std::max_element(counters.Tiles.begin(), counters.Tiles.end()));
+  if (maximum == 0)
+  {
+    return; // all fragments were hidden, or none had opacity
+  }
+  store.BindTiles(state, TileUnit);
   int smallest = 1;
   if (this->Shaders.Samples == 0)
   {
@@ -125,6 +129,7 @@ void vtkOITABufferResolver::CompositeLists(
   const vtkOITFrame& frame, const vtkOITFragmentStore& store, int maximum, int smallest)
 {
   constexpr int unlimited = std::numeric_limits<int>::max();
+  frame.GLState->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE); // Sort has no output
   for (const auto& widths : PlanSort(maximum))
   {
     this->DrawTiles(
@@ -136,6 +141,7 @@ void vtkOITABufferResolver::CompositeLists(
       });
     glMemoryBarrier(Barriers);
   }
+  frame.GLState->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   this->DrawTiles(this->CompositeStage, frame, store, smallest, unlimited, true,
     [this] { return this->Shaders.GetComposite(); });
 }

@@ -32,11 +32,11 @@ GLenum FindFormat(const vtkOITTarget& target)
 }
 
 //------------------------------------------------------------------------------
-void vtkOITDepthCopy::Allocate(const vtkOITFrame& frame, int unit)
+void vtkOITDepthCopy::Allocate(
+  const vtkOITFrame& frame, const vtkOITRectangle& rectangle, int unit)
 {
-  const vtkOITRectangle& rectangle = frame.Rectangle;
-  const int width = rectangle.X + rectangle.Width;
-  const int height = rectangle.Y + rectangle.Height;
+  const int width = rectangle.Width;
+  const int height = rectangle.Height;
   const GLenum format = FindFormat(frame.Target);
   const bool attached = this->Attach(frame.Window);
   frame.GLState->vtkglActiveTexture(GL_TEXTURE0 + unit);
@@ -52,6 +52,7 @@ void vtkOITDepthCopy::Allocate(const vtkOITFrame& frame, int unit)
   this->Format = format;
   this->Samples = frame.Target.Samples;
   this->Target = this->Samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+  this->Bytes = GetBytes(rectangle, frame.Target);
   this->Width = width;
   this->Height = height;
   glGenTextures(1, &this->Texture);
@@ -70,9 +71,10 @@ void vtkOITDepthCopy::Allocate(const vtkOITFrame& frame, int unit)
 }
 
 //------------------------------------------------------------------------------
-void vtkOITDepthCopy::Copy(const vtkOITFrame& frame, int unit)
+void vtkOITDepthCopy::Copy(
+  const vtkOITFrame& frame, const vtkOITRectangle& rectangle, int unit)
 {
-  this->Allocate(frame, unit);
+  this->Allocate(frame, rectangle, unit);
   GLint source = 0;
   GLint read = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &source);
@@ -83,9 +85,12 @@ void vtkOITDepthCopy::Copy(const vtkOITFrame& frame, int unit)
   glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER,
     frame.Target.StencilBits > 0 ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, this->Target,
     this->Texture, 0);
-  const vtkOITRectangle& r = frame.Rectangle;
-  glBlitFramebuffer(r.X, r.Y, r.X + r.Width, r.Y + r.Height, r.X, r.Y, r.X + r.Width,
-    r.Y + r.Height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  // The scissor test clips what a blit writes.
+  vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  const vtkOITRectangle& r = rectangle;
+  glBlitFramebuffer(r.X, r.Y, r.X + r.Width, r.Y + r.Height, 0, 0, r.Width, r.Height,
+    GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, source);
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, read);
 }
@@ -100,9 +105,15 @@ void vtkOITDepthCopy::Unbind(vtkOpenGLState* state, int unit) const
 //------------------------------------------------------------------------------
 std::int64_t vtkOITDepthCopy::GetSizeInBytes() const
 {
-  const int bytes = this->Format == GL_DEPTH32F_STENCIL8 ? 8 : 4;
-  return static_cast<std::int64_t>(this->Width) * this->Height * bytes *
-    std::max(1, this->Samples);
+  return this->Bytes;
+}
+
+//------------------------------------------------------------------------------
+std::int64_t vtkOITDepthCopy::GetBytes(
+  const vtkOITRectangle& rectangle, const vtkOITTarget& target)
+{
+  const int bytes = FindFormat(target) == GL_DEPTH32F_STENCIL8 ? 8 : 4;
+  return rectangle.GetArea() * bytes * std::max(1, target.Samples);
 }
 
 //------------------------------------------------------------------------------
@@ -117,6 +128,7 @@ void vtkOITDepthCopy::Forget()
 {
   this->Texture = 0;
   this->Framebuffer = 0;
+  this->Bytes = 0;
   this->Width = 0;
   this->Height = 0;
 }

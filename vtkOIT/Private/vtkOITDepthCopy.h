@@ -21,24 +21,27 @@ class vtkOITDepthCopy : public vtkOITContextObjects
 public:
   ~vtkOITDepthCopy() override { this->Release(); }
 
-  /// Copies the frame's rectangle out of the framebuffer bound for drawing, whose bindings are
-  /// left as they are; only what the scissor test leaves of it. The texel (x, y) is the
-  /// framebuffer's pixel (x, y). Ends with the texture bound to `unit`, numbered from 0.
-  void Copy(const vtkOITFrame& frame, int unit);
+  /// Copies the rectangle out of the framebuffer bound for drawing, which stays bound; its lower
+  /// left corner becomes texel (0, 0). Ends with the texture bound to `unit`, numbered from 0.
+  void Copy(const vtkOITFrame& frame, const vtkOITRectangle& rectangle, int unit);
   void Unbind(vtkOpenGLState* state, int unit) const;
 
   std::int64_t GetSizeInBytes() const;
 
+  /// Bytes that a copy of the rectangle takes.
+  static std::int64_t GetBytes(const vtkOITRectangle& rectangle, const vtkOITTarget& target);
+
 private:
   void Delete() override;
   void Forget() override;
-  void Allocate(const vtkOITFrame& frame, int unit);
+  void Allocate(const vtkOITFrame& frame, const vtkOITRectangle& rectangle, int unit);
 
   GLuint Texture = 0;
   GLuint Framebuffer = 0;
   GLenum Target = GL_TEXTURE_2D;
   GLenum Format = 0;
   int Samples = 0;
+  std::int64_t Bytes = 0;
   int Width = 0;
   int Height = 0;
 };

@@ -51,17 +51,17 @@ std::int64_t vtkOITFragmentStore::GetLargestPool(const vtkOITCapabilities& capab
 //------------------------------------------------------------------------------
 void vtkOITFragmentStore::Reserve(vtkOpenGLRenderWindow* window,
   const vtkOITCapabilities& capabilities, const vtkOITRectangle& rectangle, std::int64_t fragments,
-  int bytesPerNode)
+  int bytesPerNode, std::int64_t maximumPoolBytes)
 {
   this->Attach(window);
   this->ReserveCounters(vtkOITTileGrid(rectangle).GetNumberOfTiles());
   this->ReserveHeads(rectangle.Width, rectangle.Height);
-  const std::int64_t bytes = (fragments + 1) * bytesPerNode;
+  // In pages of 64 KiB, so that a slowly growing scene does not reallocate every frame.
+  const std::int64_t bytes =
+    std::min(RoundUp((fragments + 1) * bytesPerNode, 65536), maximumPoolBytes);
   if (this->PoolBytes < bytes)
   {
-    // Whole pages of 64 KiB, never beyond what can be addressed.
-    this->ReservePool(
-      std::min(RoundUp(bytes, 65536), GetLargestPool(capabilities)), capabilities);
+    this->ReservePool(bytes, capabilities);
   }
   this->Nodes = this->PoolBytes / bytesPerNode;
 }
@@ -196,6 +196,14 @@ std::int64_t vtkOITFragmentStore::GetSizeInBytes() const
 {
   return this->PoolBytes + INT64_C(4) * this->Width * this->Height +
     (this->CounterBuffer ? GetCounterBytes(this->TileCapacity) : 0);
+}
+
+//------------------------------------------------------------------------------
+std::int64_t vtkOITFragmentStore::GetFixedBytes(const vtkOITRectangle& rectangle)
+{
+  constexpr int size = vtkOITTileGrid::TileSize;
+  const int tiles = (rectangle.Width / size + 2) * (rectangle.Height / size + 2);
+  return 4 * rectangle.GetArea() + GetCounterBytes(tiles);
 }
 
 //------------------------------------------------------------------------------

@@ -56,10 +56,12 @@ public:
     std::vector<std::uint32_t> Tiles;
   };
 
-  /// Makes room for the rectangle's heads and for at least `fragments` fragments, where the context has the
-  /// memory. The pool may stay smaller: see GetCapacity(). What it held is lost when it grows.
+  /// Makes room for the rectangle's heads and for at least `fragments` fragments, as far as the
+  /// context has the memory and the pool stays within `maximumPoolBytes`: see GetCapacity(). What
+  /// the pool held is lost when it grows.
   void Reserve(vtkOpenGLRenderWindow* window, const vtkOITCapabilities& capabilities,
-    const vtkOITRectangle& rectangle, std::int64_t fragments, int bytesPerNode);
+    const vtkOITRectangle& rectangle, std::int64_t fragments, int bytesPerNode,
+    std::int64_t maximumPoolBytes);
 
   /// Empties the lists of the rectangle, resets the counters, and binds everything: image units
   /// and storage buffers 0 and 1. The rectangle is the current one until the next call.
@@ -81,6 +83,8 @@ public:
   /// Fragments that the pool takes.
   std::int64_t GetCapacity() const { return std::max<std::int64_t>(0, this->Nodes - 1); }
 
+  std::int64_t GetPoolBytes() const { return this->PoolBytes; }
+
   /// The pool is larger than a storage block may be, so shaders reach it as an image.
   bool GetNodesInImage() const { return this->NodesInImage; }
 
@@ -89,6 +93,9 @@ public:
 
   /// The largest pool that the context can address, in bytes.
   static std::int64_t GetLargestPool(const vtkOITCapabilities& capabilities);
+
+  /// Bytes that a rectangle of this size takes beside the pool, wherever it lies.
+  static std::int64_t GetFixedBytes(const vtkOITRectangle& rectangle);
 
 private:
   void Delete() override;

@@ -7,6 +7,9 @@
 //
 // Fragments of one depth form a group, in which each counts once: the group's opacity is
 // 1 - prod(1 - alpha), its colour the mean of the members weighted by alpha.
+//
+// The rounding error of T -= T alpha is kept and added again (Kahan, Further remarks on reducing
+// truncation errors, CACM 1965): a thousand layers of opacity 1e-6 would be 1 % off without.
 
 //VTK::OIT::Node
 //VTK::OIT::Read
@@ -17,6 +20,15 @@
 #else
 #define OIT_IS_COVERED(fragment) true
 #endif
+
+#define OIT_BLEND_GROUP                                                                            \
+  {                                                                                                \
+    color += transmittance * (members > 1u ? weighted * (opacity / weight) : weighted);            \
+    precise float change = rest - transmittance * opacity;                                         \
+    precise float sum = transmittance + change;                                                    \
+    rest = change - (sum - transmittance);                                                         \
+    transmittance = sum;                                                                           \
+  }
 
 void main()
 {
@@ -36,6 +48,7 @@ void main()
 
   vec3 color = vec3(0.0);
   float transmittance = 1.0;
+  float rest = 0.0; // what rounding took from the transmittance
   // The group so far, and its depth.
   uint key = OIT_NO_KEY;
   float opacity = 0.0;
@@ -50,8 +63,7 @@ void main()
     {
       if (fragment.Key != key)
       {
-        color += transmittance * (members > 1u ? weighted * (opacity / weight) : weighted);
-        transmittance -= transmittance * opacity;
+        OIT_BLEND_GROUP
         key = fragment.Key;
         opacity = 0.0;
         weight = 0.0;
@@ -65,7 +77,6 @@ void main()
       ++members;
     }
   }
-  color += transmittance * (members > 1u ? weighted * (opacity / weight) : weighted);
-  transmittance -= transmittance * opacity;
+  OIT_BLEND_GROUP
   oitWrite(color, transmittance);
 }

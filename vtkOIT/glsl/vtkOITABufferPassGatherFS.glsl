@@ -10,7 +10,7 @@
 
 #ifdef OIT_TEST_DEPTH
 #if OIT_SAMPLES > 0
-uniform sampler2DMS oitOpaqueDepth;
+uniform sampler2DMS oitOpaqueDepth; // of the pixels from oitOrigin on
 #else
 uniform sampler2D oitOpaqueDepth;
 #endif
@@ -47,7 +47,7 @@ void main()
     return;
   }
   float depth = clamp(OIT_DEPTH, 0.0, 1.0);
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  ivec2 pixel = ivec2(gl_FragCoord.xy) - oitOrigin;
 
 #if OIT_SAMPLES > 0
   uint mask = uint(gl_SampleMaskIn[0]);
@@ -80,7 +80,7 @@ void main()
     }
     return;
   }
-  uint next = imageAtomicExchange(oitHeads, pixel - oitOrigin, node);
+  uint next = imageAtomicExchange(oitHeads, pixel, node);
   uint key = floatBitsToUint(depth) & 0x7fffffffu; // -0 as +0
   OITColor color = oitPack(vec4(oitFragColor.rgb, alpha));
 #ifdef OIT_WIDE_NODES
