@@ -70,7 +70,10 @@ int TestABufferStatistics(int argc, char* argv[])
 
       rig.RemoveProps();
       rig.Render();
-      CheckStatistics(report, rig, "props removed", 0, 0, 0);
+      if (setup.UseMode != Use::Installed) // a renderer with nothing translucent calls no pass
+      {
+        CheckStatistics(report, rig, "props removed", 0, 0, 0);
+      }
       rig.Pass->ReleaseGraphicsResources(rig.Window);
       report.Check(rig.Pass->GetBufferSizeInBytes() == 0, "released, but buffers are reported");
     });
