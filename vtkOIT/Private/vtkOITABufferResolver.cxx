@@ -21,24 +21,22 @@ constexpr int TileUnit = 14;
 constexpr GLbitfield Barriers =
   GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT;
 
-// Loop iterations that one run of Sort may spend on a list, below llvmpipe's 65535.
+// Loop iterations that one draw of Sort may spend on a list, below llvmpipe's 65535.
 constexpr int SortBudget = 60000;
 
-/// Runs of Sort for lists of `length` nodes, as first and last merge width of each.
+/// The draws of Sort for lists of `length` nodes, as first and last merge width of each.
 std::vector<std::pair<int, int>> PlanSort(int length)
 {
-  // A merge pass visits each node once, and once more to find the second run.
-  const int passes = std::max(1, SortBudget / (2 * length));
-  std::vector<std::pair<int, int>> runs;
-  for (int width = 1; width < length; width <<= passes)
+  // A merge visits each node once, and once more to find the second run of each pair.
+  const int mergesPerDraw = std::clamp(SortBudget / (2 * length) - 1, 1, 20);
+  std::vector<std::pair<int, int>> draws;
+  int width = vtkOITABufferShaders::RunSize;
+  do
   {
-    runs.emplace_back(width, width << (passes - 1));
-    if (passes >= 20) // 2^20 is beyond the longest list
-    {
-      break;
-    }
-  }
-  return runs;
+    draws.emplace_back(width, width << (mergesPerDraw - 1));
+    width <<= mergesPerDraw;
+  } while (width < length);
+  return draws;
 }
 }
 

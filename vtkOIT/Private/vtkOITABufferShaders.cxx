@@ -115,7 +115,10 @@ std::string vtkOITABufferShaders::GetResolve(int networkSize) const
 //------------------------------------------------------------------------------
 std::string vtkOITABufferShaders::GetSort() const
 {
-  return this->Assemble(vtkOITABufferPassSortFS, this->GetHeader());
+  std::string text = this->Assemble(vtkOITABufferPassSortFS,
+    this->GetHeader() + "#define OIT_RUN_SIZE " + std::to_string(RunSize) + "\n");
+  vtkOITReplace(text, "//VTK::OIT::SortRun", vtkOITRegisterSort(RunSize));
+  return text;
 }
 
 //------------------------------------------------------------------------------

@@ -42,6 +42,9 @@ struct vtkOITABufferShaders
   /// Fragments of a pixel that the sorting networks in registers take, ascending. Powers of two.
   static constexpr std::array<int, 4> NetworkSizes = { 4, 8, 16, 32 };
 
+  /// Nodes of the runs that Sort starts from.
+  static constexpr int RunSize = 16;
+
 private:
   std::string GetDefinitions() const;
   std::string GetHeader() const;

@@ -105,3 +105,19 @@ std::string vtkOITRegisterResolve(int size)
   }
   return os.str();
 }
+
+//------------------------------------------------------------------------------
+std::string vtkOITRegisterSort(int size)
+{
+  std::ostringstream os;
+  for (int i = 0; i < size; ++i)
+  {
+    os << "OIT_LOAD(" << i << ")\n";
+  }
+  WriteSortingNetwork(os, size);
+  for (int i = 0; i < size; ++i)
+  {
+    os << "OIT_LINK(" << i << ")\n";
+  }
+  return os.str();
+}

@@ -30,4 +30,8 @@ bool vtkOITWritesDepth(const std::string& fragmentShader);
  */
 std::string vtkOITRegisterResolve(int size);
 
+/// The text `//VTK::OIT::SortRun` of vtkOITABufferPassSortFS.glsl: loads, sorts and links `size`
+/// nodes, a power of two.
+std::string vtkOITRegisterSort(int size);
+
 #endif

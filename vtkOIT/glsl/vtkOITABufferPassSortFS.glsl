@@ -5,9 +5,10 @@
 // Sorts lists in place, of any length: for the pixels that Resolve left over, and for all pixels
 // of multisampled framebuffers, which are composited once a sample. Writes no colour.
 //
-// A bottom-up merge sort: it relinks the nodes and needs no memory beside them. One run of this
-// shader merges runs of oitFirstWidth nodes up to oitLastWidth: software rasterizers limit the
-// iterations of a shader's loops (llvmpipe: 65535 together), so long lists take several runs.
+// A merge sort that relinks the nodes and needs no memory beside them: runs of 16 nodes come out of
+// a sorting network in registers, then neighbouring runs are merged. One invocation merges runs of
+// oitFirstWidth nodes up to oitLastWidth: software rasterizers limit the iterations of a shader's
+// loops (llvmpipe: 65535 together), so long lists take several draws.
 
 //VTK::OIT::Node
 //VTK::OIT::Read
@@ -28,6 +29,51 @@ bool oitIsBefore(OITFragment a, OITFragment b)
 #else
   return a.Color.y < b.Color.y;
 #endif
+}
+
+#define OIT_LOAD(i)                                                                                \
+  OITFragment f##i = OITFragment(OIT_NO_KEY, 0u, OITColor(0u), OIT_END);                           \
+  if (node != OIT_END)                                                                             \
+  {                                                                                                \
+    f##i = oitRead(node);                                                                          \
+    uint next = f##i.Next;                                                                         \
+    f##i.Next = node; /* from here on, the node itself */                                          \
+    node = next;                                                                                   \
+  }
+
+#define OIT_COMPARE_EXCHANGE(i, j)                                                                 \
+  if (oitIsBefore(f##j, f##i))                                                                     \
+  {                                                                                                \
+    OITFragment nearer = f##j;                                                                     \
+    f##j = f##i;                                                                                   \
+    f##i = nearer;                                                                                 \
+  }
+
+#define OIT_LINK(i)                                                                                \
+  if (f##i.Next != OIT_END)                                                                        \
+  {                                                                                                \
+    if (tail == OIT_END)                                                                           \
+    {                                                                                              \
+      head = f##i.Next;                                                                            \
+    }                                                                                              \
+    else                                                                                           \
+    {                                                                                              \
+      oitStoreNext(OIT_WORD(tail), f##i.Next);                                                     \
+    }                                                                                              \
+    tail = f##i.Next;                                                                              \
+  }
+
+// Sorts runs of 16 nodes. Returns the new head.
+uint oitSortRuns(uint head)
+{
+  uint node = head;
+  uint tail = OIT_END;
+  while (node != OIT_END)
+  {
+    //VTK::OIT::SortRun
+  }
+  oitStoreNext(OIT_WORD(tail), OIT_END);
+  return head;
 }
 
 // Merges neighbouring runs of `width` nodes. Returns the new head.
@@ -110,6 +156,10 @@ void main()
   head &= ~OIT_TIED;
 #endif
   uint merges = 2u;
+  if (oitFirstWidth == OIT_RUN_SIZE)
+  {
+    head = oitSortRuns(head);
+  }
   for (uint width = uint(oitFirstWidth); width <= uint(oitLastWidth) && merges > 1u; width *= 2u)
   {
     head = oitMergeRuns(head, width, merges);
