@@ -39,11 +39,11 @@ def parse(text):
     return numbers
 
 
-def place(renderer, spec="iso", up=(0, 0, 1), zoom=1.0, parallel=False):
-    """Places the camera of a vtkRenderer so that all its props are in the picture.
+def place(renderer, spec="iso", up=(0, 0, 1), zoom=1.0, parallel=False, aspect=1.0):
+    """Places the camera of a vtkRenderer so that all its props fill the picture.
 
     spec: as from parse(). up: axis that points up in the picture. zoom: float, above 1 for closer.
-    parallel: bool, parallel projection.
+    parallel: bool, parallel projection. aspect: float, width of the picture by its height.
     """
     camera = renderer.GetActiveCamera()
     camera.SetParallelProjection(parallel)
@@ -58,10 +58,44 @@ def place(renderer, spec="iso", up=(0, 0, 1), zoom=1.0, parallel=False):
         camera.SetPosition(*direction)
         camera.SetViewUp(*view_up)
         renderer.ResetCamera()
-        # ResetCamera() fits the sphere around the bounds into the picture, with room to spare.
-        camera.Zoom(1.25)
+        _fit(renderer, aspect)
     camera.Zoom(zoom)
     renderer.ResetCameraClippingRange()
+
+
+def _fit(renderer, aspect, margin=0.05):
+    """Moves and zooms so that the box around all props fills the picture up to a margin."""
+    camera = renderer.GetActiveCamera()
+    bounds = renderer.ComputeVisiblePropBounds()
+    if bounds[0] > bounds[1]:
+        return
+    for _ in range(4):  # moving changes the perspective a little
+        matrix = camera.GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0)
+        places = [_project(matrix, bounds[i], bounds[2 + j], bounds[4 + k])
+                  for i in (0, 1) for j in (0, 1) for k in (0, 1)]
+        low = [min(place[axis] for place in places) for axis in (0, 1)]
+        high = [max(place[axis] for place in places) for axis in (0, 1)]
+        inverse = matrix.NewInstance()
+        inverse.DeepCopy(matrix)
+        inverse.Invert()
+        # The point of the focal plane in the middle of the box's picture becomes the focal point.
+        depth = _project(matrix, *camera.GetFocalPoint())[2]
+        center = _project(inverse, 0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), depth)
+        shift = [c - f for c, f in zip(center, camera.GetFocalPoint())]
+        camera.SetFocalPoint(*center)
+        camera.SetPosition(*[p + s for p, s in zip(camera.GetPosition(), shift)])
+        size = max(0.5 * (high[0] - low[0]), 0.5 * (high[1] - low[1])) / (1.0 - margin)
+        if camera.GetParallelProjection():
+            camera.SetParallelScale(camera.GetParallelScale() * size)
+        else:
+            half = math.tan(math.radians(camera.GetViewAngle()) / 2.0) * size
+            camera.SetViewAngle(math.degrees(2.0 * math.atan(half)))
+
+
+def _project(matrix, x, y, z):
+    """A point through a vtkMatrix4x4, divided by its fourth coordinate."""
+    result = matrix.MultiplyPoint((x, y, z, 1.0))
+    return [value / result[3] for value in result[:3]]
 
 
 def _direction(spec, up):

@@ -51,7 +51,11 @@ def parse_color(text):
 
 def palette_color(number):
     """The colour of surface number (int, from 0) when the user gives none, (r, g, b) in [0, 1]."""
-    return parse_color(PALETTE[number % len(PALETTE)])
+    color = parse_color(PALETTE[number % len(PALETTE)])
+    # The second round is lighter, the third darker.
+    step = number // len(PALETTE) % 3
+    target, share = [(0.0, 0.0), (1.0, 0.45), (0.0, 0.4)][step]
+    return tuple(c + share * (target - c) for c in color)
 
 
 def sequential_color(fraction, name="viridis"):

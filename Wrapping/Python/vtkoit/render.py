@@ -70,7 +70,8 @@ def run(arguments, progress):
         translucency = install(renderer, arguments.method, **options.properties)
     except ValueError as error:
         raise Error("--set: %s" % error) from None
-    camera.place(renderer, options.camera, options.up, options.zoom, arguments.parallel)
+    camera.place(renderer, options.camera, options.up, options.zoom, arguments.parallel,
+                 options.size[0] / options.size[1])
     progress.begin("rendering")
     pixels, seconds = draw(renderer, options.size, arguments.samples, translucency)
     picture.save(pixels, arguments.output, options.style.background is None)
