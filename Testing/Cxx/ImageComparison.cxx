@@ -104,8 +104,7 @@ ImageArguments ImageArguments::Parse(int argc, char* argv[])
 }
 
 //------------------------------------------------------------------------------
-ImageDifference FindDifference(
-  const Image& image, const Image& baseline, const ImageLimits& limits)
+ImageDifference FindDifference(const Image& image, const Image& baseline, const ImageLimits& limits)
 {
   ImageDifference difference;
   for (std::size_t i = 0; i < image.Pixels.size(); ++i)
@@ -128,8 +127,7 @@ ImageDifference FindDifference(
 bool CompareWithBaseline(
   const Image& image, const ImageArguments& arguments, const ImageLimits& limits)
 {
-  const std::string name =
-    vtksys::SystemTools::GetFilenameWithoutLastExtension(arguments.Baseline);
+  const std::string name = vtksys::SystemTools::GetFilenameWithoutLastExtension(arguments.Baseline);
   const std::string path = arguments.OutputFolder + "/" + (name.empty() ? "picture" : name);
   vtksys::SystemTools::MakeDirectory(arguments.OutputFolder);
   if (arguments.Baseline.empty() || !vtksys::SystemTools::FileExists(arguments.Baseline, true))
@@ -147,8 +145,7 @@ bool CompareWithBaseline(
     return false;
   }
   const ImageDifference difference = FindDifference(image, baseline, limits);
-  const bool same =
-    difference.Mean <= limits.Mean && difference.Outliers <= limits.Outliers;
+  const bool same = difference.Mean <= limits.Mean && difference.Outliers <= limits.Outliers;
   std::printf("%s: difference to the baseline, in steps of 8 bits: max %.0f, mean %.4f (allowed "
               "%.4f), %d pixels beyond %.0f (allowed %d)\n",
     same ? "passed" : "FAILED", difference.Maximum, difference.Mean, limits.Mean,

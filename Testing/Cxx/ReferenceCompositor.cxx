@@ -15,8 +15,8 @@ namespace
 {
 void SortByDepth(std::vector<Layer>& layers)
 {
-  std::stable_sort(layers.begin(), layers.end(),
-    [](const Layer& a, const Layer& b) { return a.Depth < b.Depth; });
+  std::stable_sort(
+    layers.begin(), layers.end(), [](const Layer& a, const Layer& b) { return a.Depth < b.Depth; });
 }
 
 /// Index after the last layer of the group that starts at first.
@@ -34,15 +34,14 @@ std::size_t EndOfGroup(const std::vector<Layer>& layers, std::size_t first)
 double RoundingError(double value, Storage storage)
 {
   // A half has 11 significant bits, and steps of 2^-24 below 2^-14.
-  return storage == Storage::Half ? std::max(std::abs(value) * std::ldexp(1.0, -11),
-                                      std::ldexp(1.0, -25))
-                                  : 0.0;
+  return storage == Storage::Half
+    ? std::max(std::abs(value) * std::ldexp(1.0, -11), std::ldexp(1.0, -25))
+    : 0.0;
 }
 }
 
 //------------------------------------------------------------------------------
-glm::dvec4 ReferenceCompositor::Composite(
-  std::vector<Layer> layers, const glm::dvec4& destination)
+glm::dvec4 ReferenceCompositor::Composite(std::vector<Layer> layers, const glm::dvec4& destination)
 {
   SortByDepth(layers);
   glm::dvec3 color(0.0);
@@ -109,8 +108,8 @@ Tolerance ReferenceCompositor::RoundingBound(
       const double opacityError = RoundingError(opacity, storage);
       // In a group an opacity also shifts the weights of the colours, by at most the range.
       const double shift = end - first > 1 ? 2.0 : 1.0;
-      bound.Color += inFront *
-        (opacity * RoundingError(largest, storage) + shift * range * opacityError);
+      bound.Color +=
+        inFront * (opacity * RoundingError(largest, storage) + shift * range * opacityError);
       bound.Alpha += inFront * others * behind[end] * opacityError;
     }
     inFront *= groupTransmittance;

@@ -10,8 +10,8 @@
 namespace vtkOITTest
 {
 //------------------------------------------------------------------------------
-void CheckSingleLayer(TestReport& report, TestRig& rig, const Setup& setup,
-  const std::string& what, vtkActor* actor, float opacity, int minimumVisible, int minimumHidden)
+void CheckSingleLayer(TestReport& report, TestRig& rig, const Setup& setup, const std::string& what,
+  vtkActor* actor, float opacity, int minimumVisible, int minimumHidden)
 {
   actor->VisibilityOff();
   const Image without = rig.Render();
@@ -32,7 +32,8 @@ void CheckSingleLayer(TestReport& report, TestRig& rig, const Setup& setup,
   report.Check(visible >= minimumVisible && hidden >= minimumHidden,
     what + ": the scene tests little, " + std::to_string(visible) + " pixels show the prop and " +
       std::to_string(hidden) + " do not");
-  report.Compare(what, image,
+  report.Compare(
+    what, image,
     [&](int x, int y)
     {
       const double a = opacity;

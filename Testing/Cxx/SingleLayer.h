@@ -19,9 +19,8 @@ namespace vtkOITTest
 {
 /// Renders the prop (of the rig's renderer) absent, opaque and with this opacity, and compares.
 /// At least so many pixels must show it, and so many must not.
-void CheckSingleLayer(TestReport& report, TestRig& rig, const Setup& setup,
-  const std::string& what, vtkActor* actor, float opacity, int minimumVisible = 20,
-  int minimumHidden = 20);
+void CheckSingleLayer(TestReport& report, TestRig& rig, const Setup& setup, const std::string& what,
+  vtkActor* actor, float opacity, int minimumVisible = 20, int minimumHidden = 20);
 }
 
 #endif

@@ -55,8 +55,8 @@ int TestABufferStatistics(int argc, char* argv[])
       CheckStatistics(report, rig, "ten layers", 1, 7 * 200 + 3 * 512, 10);
       const vtkTypeInt64 bytes = rig.Pass->GetBufferSizeInBytes();
       const int node = setup.FragmentStorage == Storage::Half ? 12 : 20; // depth, colour
-      report.Check(bytes >= (7 * 200 + 3 * 512) * node, "ten layers: the pass reports only " +
-          std::to_string(bytes) + " bytes");
+      report.Check(bytes >= (7 * 200 + 3 * 512) * node,
+        "ten layers: the pass reports only " + std::to_string(bytes) + " bytes");
 
       // Opaque geometry in front of the left half: its fragments are hidden and not captured.
       rig.AddQuad({ 0.01f, { 0.2f, 0.2f, 0.2f, 1.0f } }, { 0.0, 0.0, 14.0, 16.0 });

@@ -47,7 +47,8 @@ int TestClippingPlanes(int argc, char* argv[])
       vtkActor* middle = rig.AddQuad(layers[1]);
       rig.AddQuad(layers[0]);
       AddClippingPlane(middle, -1.0, 0.0, 0.0, -rig.ToWorld(20.0, 0.0, 0.5).x);
-      report.Compare("the middle layer clipped", rig.Render(),
+      report.Compare(
+        "the middle layer clipped", rig.Render(),
         [&](int x, int y) { return left.Contains(x, y) ? three : two; },
         ReferenceCompositor::RoundingBound(layers, background, setup.FragmentStorage));
 

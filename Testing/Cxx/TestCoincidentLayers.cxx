@@ -39,8 +39,7 @@ void CheckEqualColors(TestReport& report, TestRig& rig, const Setup& setup)
     const std::vector<float> depths(count, 0.625f);
     const std::vector<Layer> layers = EqualLayers(depths, color);
     const double transmittance = std::pow(0.5, count);
-    const glm::dvec4 expected =
-      glm::dvec4(color.r, color.g, color.b, 1.0) * (1.0 - transmittance) +
+    const glm::dvec4 expected = glm::dvec4(color.r, color.g, color.b, 1.0) * (1.0 - transmittance) +
       transmittance * rig.GetBackground();
     rig.RemoveProps();
     rig.AddEqualLayers(depths, color);

@@ -38,7 +38,8 @@ int TestConvexSphere(int argc, char* argv[])
         ReferenceCompositor::RoundingBound(two, background, setup.FragmentStorage);
       const Image image = rig.Render();
       int covered = 0;
-      report.Compare("two layers or none", image,
+      report.Compare(
+        "two layers or none", image,
         [&](int x, int y)
         {
           // The geometry decides well inside and outside; between them the pixel's own colour,
@@ -50,12 +51,12 @@ int TestConvexSphere(int argc, char* argv[])
           return isCovered ? inside : background;
         },
         bound);
-      report.Check(rig.Pass->GetNumberOfFragments() < 0 ||
-          rig.Pass->GetNumberOfFragments() % 2 == 0,
+      report.Check(
+        rig.Pass->GetNumberOfFragments() < 0 || rig.Pass->GetNumberOfFragments() % 2 == 0,
         "an odd number of fragments: " + std::to_string(rig.Pass->GetNumberOfFragments()));
       const double area = std::acos(-1.0) * 0.64 * 41.5 * 41.5;
       report.Check(std::abs(covered - area) < 0.02 * area,
-        "covered pixels: " + std::to_string(covered) + ", area of the disc: " +
-          std::to_string(area));
+        "covered pixels: " + std::to_string(covered) +
+          ", area of the disc: " + std::to_string(area));
     });
 }

@@ -28,12 +28,13 @@ void CheckCrossing(TestReport& report, TestRig& rig, const Setup& setup, double 
   const std::vector<Layer> greenFirst{ { 0.75f, red }, { 0.25f, green } };
   const glm::dvec4 left = ReferenceCompositor::Composite(redFirst, rig.GetBackground());
   const glm::dvec4 right = ReferenceCompositor::Composite(greenFirst, rig.GetBackground());
-  const glm::dvec4 merged = ReferenceCompositor::Composite(
-    { { 0.5f, red }, { 0.5f, green } }, rig.GetBackground());
+  const glm::dvec4 merged =
+    ReferenceCompositor::Composite({ { 0.5f, red }, { 0.5f, green } }, rig.GetBackground());
   const Tolerance bound =
     ReferenceCompositor::RoundingBound(redFirst, rig.GetBackground(), setup.FragmentStorage);
   const Image image = rig.Render();
-  report.Compare("crossing at " + std::to_string(crossing), image,
+  report.Compare(
+    "crossing at " + std::to_string(crossing), image,
     [&](int x, int y) -> glm::dvec4
     {
       if (x + 0.5 != crossing)

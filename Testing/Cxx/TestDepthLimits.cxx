@@ -28,8 +28,8 @@ void CheckClippedSheet(
   const std::vector<Layer> both{ { inFront ? 0.25f : 0.75f, color }, middle };
   const glm::dvec4 one = ReferenceCompositor::Composite({ middle }, rig.GetBackground());
   const glm::dvec4 two = ReferenceCompositor::Composite(both, rig.GetBackground());
-  report.Compare("sheet from depth " + std::to_string(left) + " to " + std::to_string(right),
-    rig.Render(),
+  report.Compare(
+    "sheet from depth " + std::to_string(left) + " to " + std::to_string(right), rig.Render(),
     [&](int x, int)
     {
       const double depth = left + (right - left) * (x + 0.5) / Width;
@@ -43,14 +43,13 @@ void CheckLimits(TestReport& report, TestRig& rig, const Setup& setup)
 {
   const std::vector<Layer> layers{ { 0.0f, { 0.9f, 0.1f, 0.1f, 0.5f } },
     { 0.5f, { 0.1f, 0.9f, 0.1f, 0.25f } }, { 1.0f, { 0.1f, 0.1f, 0.9f, 0.75f } } };
-  for (const std::vector<Layer>& stack :
-    { std::vector<Layer>{ layers[0] }, { layers[2] }, { layers[0], layers[1] },
-      { layers[2], layers[1] }, { layers[2], layers[0], layers[1] } })
+  for (const std::vector<Layer>& stack : { std::vector<Layer>{ layers[0] }, { layers[2] },
+         { layers[0], layers[1] }, { layers[2], layers[1] }, { layers[2], layers[0], layers[1] } })
   {
     rig.RemoveProps();
     rig.AddStack(stack);
-    report.Compare(std::to_string(stack.size()) + " layers with depth " +
-        std::to_string(stack[0].Depth),
+    report.Compare(
+      std::to_string(stack.size()) + " layers with depth " + std::to_string(stack[0].Depth),
       rig.Render(), Everywhere(ReferenceCompositor::Composite(stack, rig.GetBackground())),
       ReferenceCompositor::RoundingBound(stack, rig.GetBackground(), setup.FragmentStorage));
   }

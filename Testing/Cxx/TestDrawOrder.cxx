@@ -89,8 +89,7 @@ int TestDrawOrder(int argc, char* argv[])
       for (int order = 0; order < 8; ++order)
       {
         random.Shuffle(pieces);
-        report.CompareBits(
-          "draw order " + std::to_string(order), RenderPieces(rig, pieces), first);
+        report.CompareBits("draw order " + std::to_string(order), RenderPieces(rig, pieces), first);
       }
       rig.Pass->SetMaximumBufferSize(1 << 20);
       report.CompareBits("with 1 MiB of storage", rig.Render(), first);

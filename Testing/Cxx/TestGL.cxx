@@ -43,9 +43,9 @@ std::string GLObjectCounts::Describe() const
 {
   std::ostringstream text;
   text << this->Textures << " textures, " << this->Buffers << " buffers, " << this->Programs
-       << " programs, " << this->Shaders << " shaders, " << this->Framebuffers
-       << " framebuffers, " << this->Renderbuffers << " renderbuffers, " << this->Queries
-       << " queries, " << this->VertexArrays << " vertex arrays";
+       << " programs, " << this->Shaders << " shaders, " << this->Framebuffers << " framebuffers, "
+       << this->Renderbuffers << " renderbuffers, " << this->Queries << " queries, "
+       << this->VertexArrays << " vertex arrays";
   return text.str();
 }
 

@@ -36,8 +36,7 @@ public:
 
   void Render(const vtkRenderState* state) override
   {
-    auto* window =
-      static_cast<vtkOpenGLRenderWindow*>(state->GetRenderer()->GetRenderWindow());
+    auto* window = static_cast<vtkOpenGLRenderWindow*>(state->GetRenderer()->GetRenderWindow());
     vtkOpenGLState* glState = window->GetState();
     glState->Push();
     if (this->Prepare)
@@ -194,7 +193,8 @@ int TestGLState(int argc, char* argv[])
       OddState odd;
       probe->Prepare = [&odd](vtkOpenGLState* state) { odd.Set(state); };
       probe->Undo = [&odd](vtkOpenGLState* state) { odd.Undo(state); };
-      report.Compare("in an odd state, scissored to the left half", rig.Render(),
+      report.Compare(
+        "in an odd state, scissored to the left half", rig.Render(),
         [&](int x, int) { return x < Width / 2 ? composite : background; }, bound);
       CheckProbe(report, probe, "odd state");
     });

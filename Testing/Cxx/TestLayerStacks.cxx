@@ -22,8 +22,8 @@ void CheckEqualLayers(TestReport& report, TestRig& rig, const Setup& setup, int 
   rig.RemoveProps();
   rig.AddEqualLayers(depths, color);
   const double transmittance = std::pow(1.0 - double(a), count);
-  const glm::dvec4 expected = glm::dvec4(glm::dvec4(color).r, color.g, color.b, 1.0) *
-      (1.0 - transmittance) +
+  const glm::dvec4 expected =
+    glm::dvec4(glm::dvec4(color).r, color.g, color.b, 1.0) * (1.0 - transmittance) +
     transmittance * rig.GetBackground();
   report.Compare(std::to_string(count) + " layers of " + std::to_string(a), rig.Render(),
     Everywhere(expected),

@@ -80,7 +80,8 @@ int TestMultisampling(int argc, char* argv[])
         const glm::dvec4 open = ReferenceCompositor::Composite(layers, background);
         const Image image = rig.RenderWindow();
         const std::string what = "opaque occluder up to " + std::to_string(edge);
-        report.Compare(what, image,
+        report.Compare(
+          what, image,
           [&](int x, int y)
           {
             if (edge == 18.5 && x == 18)
@@ -105,7 +106,8 @@ int TestMultisampling(int argc, char* argv[])
       rig.AddQuad(layers[1], { 10.5, 5.0, 30.0, 25.0 });
       const glm::dvec4 inside = ReferenceCompositor::Composite({ layers[1] }, background);
       const Image image = rig.RenderWindow();
-      report.Compare("translucent edge", image,
+      report.Compare(
+        "translucent edge", image,
         [&](int x, int y)
         {
           if (x == 10 && y >= 5 && y < 25)

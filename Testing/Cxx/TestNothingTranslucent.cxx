@@ -32,14 +32,18 @@ struct Scene
 
 const Scene Scenes[] = {
   { "no props", [](TestRig&) {} },
-  { "opaque props", [](TestRig& rig)
-    { rig.AddQuad({ 0.5f, { 0.1f, 0.9f, 0.2f, 1.0f } }, { 5.0, 5.0, 25.0, 20.0 }); } },
-  { "invisible translucent prop", [](TestRig& rig)
+  { "opaque props",
+    [](TestRig& rig) {
+      rig.AddQuad({ 0.5f, { 0.1f, 0.9f, 0.2f, 1.0f } }, { 5.0, 5.0, 25.0, 20.0 });
+    } },
+  { "invisible translucent prop",
+    [](TestRig& rig)
     {
       rig.AddQuad({ 0.5f, { 0.1f, 0.9f, 0.2f, 1.0f } }, { 5.0, 5.0, 25.0, 20.0 });
       rig.AddQuad({ 0.25f, Red })->VisibilityOff();
     } },
-  { "empty translucent poly data", [](TestRig& rig)
+  { "empty translucent poly data",
+    [](TestRig& rig)
     {
       vtkNew<vtkPolyData> empty;
       empty->SetPoints(vtkNew<vtkPoints>());
@@ -48,9 +52,13 @@ const Scene Scenes[] = {
       rig.AddPolyData(vtkNew<vtkPolyData>(), Red);
     } },
   { "translucent prop beside the viewport",
-    [](TestRig& rig) { rig.AddQuad({ 0.5f, Red }, { 50.0, 5.0, 70.0, 20.0 }); } },
+    [](TestRig& rig) {
+      rig.AddQuad({ 0.5f, Red }, { 50.0, 5.0, 70.0, 20.0 });
+    } },
   { "translucent prop behind the camera",
-    [](TestRig& rig) { rig.AddQuad({ -4.0f, Red }, { 5.0, 5.0, 25.0, 20.0 }); } },
+    [](TestRig& rig) {
+      rig.AddQuad({ -4.0f, Red }, { 5.0, 5.0, 25.0, 20.0 });
+    } },
 };
 
 void CheckNothing(TestReport& report, const Setup& setup, const Scene& scene)
@@ -79,8 +87,8 @@ void CheckNothing(TestReport& report, const Setup& setup, const Scene& scene)
   }
   rig.Window->MakeCurrent();
   const GLObjectCounts after = GLObjectCounts::OfCurrentContext();
-  report.Check(before == after,
-    what + ": objects went from " + before.Describe() + " to " + after.Describe());
+  report.Check(
+    before == after, what + ": objects went from " + before.Describe() + " to " + after.Describe());
 }
 
 /// Half of the viewport opaque, a translucent quad over a part of both halves.
@@ -93,13 +101,13 @@ void CheckMixedPixels(TestReport& report, const Setup& setup)
   rig.AddQuad({ 0.75f, green }, opaque);
   rig.AddQuad({ 0.5f, Red }, translucent);
   const glm::dvec4 background = rig.GetBackground();
-  report.Compare("opaque, translucent and empty pixels", rig.Render(),
+  report.Compare(
+    "opaque, translucent and empty pixels", rig.Render(),
     [&](int x, int y)
     {
       const glm::dvec4 behind = opaque.Contains(x, y) ? glm::dvec4(green) : background;
-      return translucent.Contains(x, y)
-        ? ReferenceCompositor::Composite({ { 0.5f, Red } }, behind)
-        : behind;
+      return translucent.Contains(x, y) ? ReferenceCompositor::Composite({ { 0.5f, Red } }, behind)
+                                        : behind;
     },
     ReferenceCompositor::RoundingBoundOfAnyStack(1, setup.FragmentStorage));
 }

@@ -94,9 +94,8 @@ void CheckFramebufferPass(TestReport& report, const Setup& setup)
     const std::vector<Layer> layers = Random(43).Layers(9);
     rig.AddStack(layers);
     const bool isHalf = format == vtkTextureObject::Float16;
-    report.Compare(
-      std::string("vtkFramebufferPass, ") + (isHalf ? "RGBA16F" : "RGBA32F"), rig.Render(),
-      Everywhere(ReferenceCompositor::Composite(layers, rig.GetBackground())),
+    report.Compare(std::string("vtkFramebufferPass, ") + (isHalf ? "RGBA16F" : "RGBA32F"),
+      rig.Render(), Everywhere(ReferenceCompositor::Composite(layers, rig.GetBackground())),
       ReferenceCompositor::RoundingBound(layers, rig.GetBackground(), setup.FragmentStorage) +
         // The background and the result are rounded to a half; the blend unit may truncate.
         (isHalf ? Tolerance{ 2.0 / 1024, 2.0 / 1024 } : Tolerance()));

@@ -35,13 +35,12 @@ void CheckIntersections(TestReport& report, TestRig& rig, const Setup& setup)
   sphere->Update();
   rig.RemoveProps();
   rig.AddPolyData(sphere->GetOutput(), Blue);
-  CheckSingleLayer(report, rig, setup, "quad through an opaque sphere",
-    rig.AddQuad({ 0.4f, Orange }), Orange.a);
+  CheckSingleLayer(
+    report, rig, setup, "quad through an opaque sphere", rig.AddQuad({ 0.4f, Orange }), Orange.a);
 
   rig.RemoveProps();
   rig.AddRamp(0.2, 0.8, Blue);
-  CheckSingleLayer(
-    report, rig, setup, "crossing ramps", rig.AddRamp(0.7, 0.3, Orange), Orange.a);
+  CheckSingleLayer(report, rig, setup, "crossing ramps", rig.AddRamp(0.7, 0.3, Orange), Orange.a);
 
   rig.RemoveProps();
   rig.AddQuad({ 0.5f, Blue });
@@ -58,8 +57,8 @@ void CheckCoplanar(TestReport& report, TestRig& rig, const Setup& setup)
     rig.AddQuad({ 0.5f, Orange }, { 4.0, 5.0, 40.0, 30.0 }), Orange.a);
   rig.RemoveProps();
   rig.AddRamp(0.2, 0.8, Blue);
-  CheckSingleLayer(report, rig, setup, "coplanar ramps", rig.AddRamp(0.2, 0.8, Orange), Orange.a,
-    20, 0);
+  CheckSingleLayer(
+    report, rig, setup, "coplanar ramps", rig.AddRamp(0.2, 0.8, Orange), Orange.a, 20, 0);
 }
 
 /// Offsets, which VTK's mappers write to gl_FragDepth, decide between coplanar faces.

@@ -50,8 +50,8 @@ int TestPassFactory(int, char*[])
            "MaximumBufferSize", "NumberOfGeometryPasses", "NumberOfFragments",
            "MaximumDepthComplexity", "BufferSizeInBytes", "Exact", "ErrorBound" })
     {
-      report.Check(text.str().find(property) != std::string::npos,
-        name + ": PrintSelf lacks " + property);
+      report.Check(
+        text.str().find(property) != std::string::npos, name + ": PrintSelf lacks " + property);
     }
   }
   report.Check(names.size() == static_cast<std::size_t>(count), "names are not unique");

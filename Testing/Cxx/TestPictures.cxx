@@ -92,8 +92,7 @@ int TestPictures(int argc, char* argv[])
             difference.Maximum, difference.Mean, difference.Outliers);
         }
       }
-      report.Check(
-        CompareWithBaseline(image, ImageArguments::Parse(argc, argv), ImageLimits()),
+      report.Check(CompareWithBaseline(image, ImageArguments::Parse(argc, argv), ImageLimits()),
         scene + " differs from its baseline");
     });
 }

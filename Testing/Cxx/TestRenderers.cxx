@@ -76,8 +76,7 @@ void CheckRenderers(TestReport& report, const Setup& setup, bool share)
     return y < Height / 2 ? below : ReferenceCompositor::Composite(topLayers, below);
   };
   // The lower layer's picture is rounded to 8 bits before the upper layer is drawn on it.
-  const Tolerance bound =
-    ReferenceCompositor::RoundingBoundOfAnyStack(12, setup.FragmentStorage) +
+  const Tolerance bound = ReferenceCompositor::RoundingBoundOfAnyStack(12, setup.FragmentStorage) +
     TestRig::WindowTolerance() + Tolerance{ 1.0 / 255, 1.0 / 255 };
   for (int frame = 0; frame < 3; ++frame)
   {
@@ -87,7 +86,8 @@ void CheckRenderers(TestReport& report, const Setup& setup, bool share)
   // A renderer leaves, the others stay right.
   setup.Detach(top);
   rig.Window->RemoveRenderer(top);
-  report.Compare(what + ", top layer gone", rig.RenderWindow(),
+  report.Compare(
+    what + ", top layer gone", rig.RenderWindow(),
     [&](int x, int) { return x < Width / 2 ? left : rightColor; }, bound);
 }
 }

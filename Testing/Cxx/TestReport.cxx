@@ -23,8 +23,8 @@ bool TestReport::Check(bool condition, const std::string& message)
 }
 
 //------------------------------------------------------------------------------
-bool TestReport::Compare(const std::string& what, const Image& image, const Expected& expected,
-  const Tolerance& tolerance)
+bool TestReport::Compare(
+  const std::string& what, const Image& image, const Expected& expected, const Tolerance& tolerance)
 {
   double largest[2] = { 0.0, 0.0 };
   double sum[2] = { 0.0, 0.0 };
@@ -88,8 +88,8 @@ bool TestReport::Compare(const std::string& what, const Image& image, const Expe
 }
 
 //------------------------------------------------------------------------------
-bool TestReport::Compare(const std::string& what, const Image& image, const Image& expected,
-  const Tolerance& tolerance)
+bool TestReport::Compare(
+  const std::string& what, const Image& image, const Image& expected, const Tolerance& tolerance)
 {
   if (!this->Check(image.Width == expected.Width && image.Height == expected.Height,
         what + ": the images have different sizes"))
@@ -103,8 +103,8 @@ bool TestReport::Compare(const std::string& what, const Image& image, const Imag
 //------------------------------------------------------------------------------
 bool TestReport::CompareBits(const std::string& what, const Image& image, const Image& expected)
 {
-  if (!this->Check(!image.Pixels.empty() && image.Width == expected.Width &&
-          image.Height == expected.Height,
+  if (!this->Check(
+        !image.Pixels.empty() && image.Width == expected.Width && image.Height == expected.Height,
         what + ": the images have different sizes"))
   {
     return false;

@@ -31,8 +31,8 @@ public:
   /// and the mean differences.
   bool Compare(const std::string& what, const Image& image, const Expected& expected,
     const Tolerance& tolerance);
-  bool Compare(const std::string& what, const Image& image, const Image& expected,
-    const Tolerance& tolerance);
+  bool Compare(
+    const std::string& what, const Image& image, const Image& expected, const Tolerance& tolerance);
 
   /// Every pixel has the same bits.
   bool CompareBits(const std::string& what, const Image& image, const Image& expected);

@@ -43,8 +43,8 @@ int TestResize(int argc, char* argv[])
         report.Check(image.Width == size.first && image.Height == size.second,
           what + ": the target has another size");
         report.Compare(what, image, expected, bound);
-        report.Compare(
-          what + " in the window", rig.RenderWindow(), expected, bound + TestRig::WindowTolerance());
+        report.Compare(what + " in the window", rig.RenderWindow(), expected,
+          bound + TestRig::WindowTolerance());
         const auto first = seen.emplace(size, image);
         report.CompareBits(what + " again", image, first.first->second);
       }

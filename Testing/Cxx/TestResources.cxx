@@ -113,8 +113,8 @@ int TestResources(int argc, char* argv[])
       }
       rig.Window->MakeCurrent();
       const GLObjectCounts after = GLObjectCounts::OfCurrentContext();
-      report.Check(before == after,
-        "objects went from " + before.Describe() + " to " + after.Describe());
+      report.Check(
+        before == after, "objects went from " + before.Describe() + " to " + after.Describe());
       // The heads of the lists alone are 4 bytes a pixel, 256 KiB here: leaking that in each of the
       // 48 attachments would be 12 MiB, and a store of fragments more. Allocators keep less.
       const double growth = (GetResidentMemory() - memoryBefore) / 1048576.0;

@@ -261,8 +261,7 @@ void TestRig::ReadTarget(vtkObject*, unsigned long, void*)
   this->Target->ActivateReadBuffer(0);
   const std::size_t size = static_cast<std::size_t>(this->Width) * this->Height;
   this->Color = Image{ this->Width, this->Height, std::vector<glm::vec4>(size) };
-  glReadPixels(
-    0, 0, this->Width, this->Height, GL_RGBA, GL_FLOAT, this->Color.Pixels.data());
+  glReadPixels(0, 0, this->Width, this->Height, GL_RGBA, GL_FLOAT, this->Color.Pixels.data());
   std::vector<float> depth(size);
   glReadPixels(0, 0, this->Width, this->Height, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
   this->Depth = Image{ this->Width, this->Height, {} };

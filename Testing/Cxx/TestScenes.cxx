@@ -39,6 +39,7 @@ vtkSmartPointer<vtkRenderer> AddRenderer(vtkRenderWindow* window, double x0, dou
 {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->SetBackground(0.95, 0.95, 0.9);
+  renderer->SetBackgroundAlpha(1.0);
   renderer->SetViewport(x0, 0.0, x1, 1.0);
   window->AddRenderer(renderer);
   return renderer;
@@ -125,8 +126,8 @@ void BuildImpostors(vtkRenderWindow* window)
     for (int i = 0; i < 9; ++i)
     {
       vertices->InsertNextCell(1);
-      vertices->InsertCellPoint(points->InsertNextPoint(
-        i % 3 - 1.0 + 0.5 * part, i / 3 - 1.0, 0.3 * std::sin(5.0 * i)));
+      vertices->InsertCellPoint(
+        points->InsertNextPoint(i % 3 - 1.0 + 0.5 * part, i / 3 - 1.0, 0.3 * std::sin(5.0 * i)));
     }
     vtkNew<vtkPolyData> cloud;
     cloud->SetPoints(points);
@@ -261,8 +262,8 @@ const std::map<std::string, void (*)(vtkRenderWindow*)> Builders = {
 }
 
 //------------------------------------------------------------------------------
-bool BuildScene(const std::string& name, vtkRenderWindow* window,
-  const std::function<void(vtkRenderer*)>& attach)
+bool BuildScene(
+  const std::string& name, vtkRenderWindow* window, const std::function<void(vtkRenderer*)>& attach)
 {
   const auto builder = Builders.find(name);
   if (builder == Builders.end())

@@ -78,9 +78,8 @@ vtkSmartPointer<vtkOITPass> Setup::CreatePass() const
   auto pass = vtkSmartPointer<vtkOITPass>::Take(vtkOITPassFactory::CreatePass(this->Method));
   if (auto* abuffer = vtkOITABufferPass::SafeDownCast(pass))
   {
-    abuffer->SetFragmentPrecision(this->FragmentStorage == Storage::Half
-        ? vtkOITABufferPass::HALF
-        : vtkOITABufferPass::FLOAT);
+    abuffer->SetFragmentPrecision(
+      this->FragmentStorage == Storage::Half ? vtkOITABufferPass::HALF : vtkOITABufferPass::FLOAT);
   }
   return pass;
 }
@@ -118,8 +117,8 @@ void Setup::Detach(vtkRenderer* renderer) const
 }
 
 //------------------------------------------------------------------------------
-int RunTest(int argc, char* argv[], Setups setups,
-  const std::function<void(TestReport&, const Setup&)>& body)
+int RunTest(
+  int argc, char* argv[], Setups setups, const std::function<void(TestReport&, const Setup&)>& body)
 {
   Setup setup;
   // VTK 9.6 passes an empty argument to tests; options of vtk_add_test_cxx start with a dash.

@@ -33,8 +33,8 @@ protected:
   CountingMapper() = default;
   ~CountingMapper() override = default;
 
-  void BuildShaders(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
-    vtkActor* actor) override
+  void BuildShaders(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override
   {
     ++NumberOfBuilds;
     this->Superclass::BuildShaders(shaders, renderer, actor);

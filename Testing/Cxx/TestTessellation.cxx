@@ -28,9 +28,8 @@ vtkSmartPointer<vtkPolyData> MakeSheet(
     for (int i = 0; i <= Cells; ++i)
     {
       const vtkIdType id = vtkIdType(j) * (Cells + 1) + i;
-      const glm::dvec3 point =
-        rig.ToWorld(rectangle.X0 + (rectangle.X1 - rectangle.X0) * i / Cells,
-          rectangle.Y0 + (rectangle.Y1 - rectangle.Y0) * j / Cells, depth);
+      const glm::dvec3 point = rig.ToWorld(rectangle.X0 + (rectangle.X1 - rectangle.X0) * i / Cells,
+        rectangle.Y0 + (rectangle.Y1 - rectangle.Y0) * j / Cells, depth);
       points->SetPoint(id, point.x, point.y, point.z);
       if (i < Cells && j < Cells)
       {
@@ -60,12 +59,12 @@ int TestTessellation(int argc, char* argv[])
       rig.AddPolyData(MakeSheet(rig, rectangle, layer.Depth), layer.Color);
       const Image tessellated = rig.Render();
       const glm::dvec4 inside = ReferenceCompositor::Composite({ layer }, rig.GetBackground());
-      report.Compare("a million triangles", tessellated,
+      report.Compare(
+        "a million triangles", tessellated,
         [&](int x, int y) { return rectangle.Contains(x, y) ? inside : rig.GetBackground(); },
-        ReferenceCompositor::RoundingBound(
-          { layer }, rig.GetBackground(), setup.FragmentStorage));
-      report.Check(rig.Pass->GetNumberOfFragments() < 0 ||
-          rig.Pass->GetNumberOfFragments() == 54 * 34,
+        ReferenceCompositor::RoundingBound({ layer }, rig.GetBackground(), setup.FragmentStorage));
+      report.Check(
+        rig.Pass->GetNumberOfFragments() < 0 || rig.Pass->GetNumberOfFragments() == 54 * 34,
         "the pass counts " + std::to_string(rig.Pass->GetNumberOfFragments()) +
           " fragments, there are 1836");
 

@@ -79,11 +79,12 @@ int TestTextures(int argc, char* argv[])
         {
           AddTexture(rig.AddQuad({ isFront ? 0.25f : 0.75f, white }), isFront ? front : back);
         }
-        report.Compare(frontFirst ? "front drawn first" : "back drawn first", rig.Render(),
+        report.Compare(
+          frontFirst ? "front drawn first" : "back drawn first", rig.Render(),
           [&](int x, int y)
           {
-            return ReferenceCompositor::Composite({ { 0.25f, GetTexel(front, x, y) },
-                                                    { 0.75f, GetTexel(back, x, y) } },
+            return ReferenceCompositor::Composite(
+              { { 0.25f, GetTexel(front, x, y) }, { 0.75f, GetTexel(back, x, y) } },
               rig.GetBackground());
           },
           ReferenceCompositor::RoundingBoundOfAnyStack(2, setup.FragmentStorage));
