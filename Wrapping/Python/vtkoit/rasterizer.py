@@ -13,14 +13,15 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 _CHUNK = 1000000
 
 
-# Graphics hardware rounds the corners of triangles to 1/256 of a pixel: triangles thinner than this
-# many pixels may come out turned over, or not at all.
-_SLIVER = 1.0 / 64.0
+# Graphics hardware rounds the corners of triangles to 1/256 of a pixel. So triangles thinner than
+# this many pixels may come out turned over, and silhouettes on either side of a centre this close.
+_DOUBT = 1.0 / 64.0
 
 
 def rasterize(actor, camera, size):
     """The fragments of a vtkActor: (pixel, depth, color, alpha) as in reference.Fragments, then the
-    pixels (int array) whose centre is on, or within 1/64 pixel of, a triangle thinner than that.
+    pixels (int array) that rounding decides: with their centre within 1/64 pixel of a silhouette, of
+    an open edge, or of a triangle thinner than that.
 
     camera: vtkCamera. size: (width, height), pixels. Rows count from the top.
     """
@@ -36,8 +37,9 @@ def rasterize(actor, camera, size):
                       (position[:, 1] / w + 1.0) * 0.5 * size[1],
                       (position[:, 2] / w + 1.0) * 0.5]
     triangle, column, row, weights = _cover(window, triangles, size)
-    slivers = triangles[_thickness(window, triangles) < _SLIVER]
-    _, near_column, near_row, _ = _cover(window, slivers, size, _SLIVER)
+    lines = numpy.concatenate([triangles[_thickness(window, triangles) < _DOUBT],
+                               _silhouettes(window, triangles)])
+    _, near_column, near_row, _ = _cover(window, lines, size, _DOUBT)
     doubtful = (size[1] - 1 - near_row) * size[0] + near_column
     corners = triangles[triangle]
     depth = (weights * window[corners, 2]).sum(axis=1)
@@ -100,6 +102,23 @@ def _thickness(window, triangles):
     area = numpy.abs(sides[:, 0, 0] * sides[:, 1, 1] - sides[:, 0, 1] * sides[:, 1, 0])
     longest = numpy.linalg.norm(sides, axis=2).max(axis=1)
     return area / numpy.where(longest > 0, longest, 1.0)
+
+
+def _front(window, triangles):
+    """Which triangles are seen from their front, bool array."""
+    a, b, c = (window[triangles[:, i], :2] for i in range(3))
+    return (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) > (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])
+
+
+def _silhouettes(window, triangles):
+    """The edges of one triangle only, or between front and back: n x 3, triangles without area."""
+    edges = numpy.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+    key = edges[:, 0].astype(numpy.int64) * len(window) + edges[:, 1]
+    _, first, number, count = numpy.unique(
+        key, return_index=True, return_inverse=True, return_counts=True)
+    fronts = numpy.bincount(number.ravel(), weights=numpy.repeat(_front(window, triangles), 3))
+    found = edges[first[(count == 1) | ((fronts > 0) & (fronts < count))]]
+    return found[:, [0, 1, 1]]
 
 
 def _cover(window, triangles, size, around=0.0):
@@ -196,9 +215,7 @@ def _shade(material, normal, window, triangles, triangle):
     """Colours n x 3 under a headlight, seen from both sides as in VTK."""
     if not material.GetLighting():
         return numpy.broadcast_to(numpy.array(material.GetDiffuseColor()), (len(normal), 3)).copy()
-    a, b, c = (window[triangles[:, i], :2] for i in range(3))
-    front = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0]) > 0
-    facing = numpy.where(front[triangle], normal[:, 2], -normal[:, 2])
+    facing = numpy.where(_front(window, triangles)[triangle], normal[:, 2], -normal[:, 2])
     diffuse = numpy.maximum(facing, 0.0)[:, None]
     return material.GetAmbient() * numpy.array(material.GetAmbientColor()) \
         + material.GetDiffuse() * diffuse * numpy.array(material.GetDiffuseColor())

@@ -84,9 +84,9 @@ def render(renderer, size):
     they have them, on the renderer's background colour and alpha. Not scalars, textures, lines,
     specular light or clipping by the near plane.
 
-    A pixel is not certain where the number of layers changes in the 3 x 3 pixels around it
-    (a silhouette or an edge, which may fall on either side of the pixel's centre), where two unlike
-    fragments are too close to tell their order, and on triangles thinner than 1/64 pixel.
+    A pixel is not certain where rounding decides what is seen: with its centre within 1/64 pixel of
+    a silhouette or an open edge, on triangles thinner than that, and where two unlike fragments are
+    too close to tell their order.
     """
     width, height = size
     parts = []
@@ -103,20 +103,9 @@ def render(renderer, size):
     alpha = renderer.GetBackgroundAlpha()
     background = [c * alpha for c in renderer.GetBackground()] + [alpha]
     pixels, layers, tied = composite(fragments, (height, width), background)
-    certain = ~tied & ~_changes(layers)
+    certain = ~tied
     certain.reshape(-1)[doubtful] = False
     return Reference(pixels, layers, certain)
-
-
-def _changes(layers):
-    """Where the 3 x 3 values around a pixel are not all equal, bool array."""
-    padded = numpy.pad(layers, 1, mode="edge")
-    result = numpy.zeros(layers.shape, dtype=bool)
-    height, width = layers.shape
-    for row in range(3):
-        for column in range(3):
-            result |= padded[row:row + height, column:column + width] != layers
-    return result
 
 
 def difference(pixels, reference, channels=slice(0, 4)):

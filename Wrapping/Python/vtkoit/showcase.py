@@ -95,7 +95,7 @@ def _print(name, renderer, size, truth, results):
     for _ in range(actors.GetNumberOfItems()):
         triangles += actors.GetNextActor().GetMapper().GetInput().GetNumberOfPolys()
     print("%s: %dx%d, %s triangles, up to %d layers; error of the colours in 1/255, "
-          "%.1f %% of the pixels left out (silhouettes)" % (
+          "%.1f %% of the pixels left out (on silhouettes)" % (
               name, *size, format(triangles, ","), truth.layers.max(),
               100.0 * (1.0 - truth.certain.mean())))
     width = max(len(path) for _, path, _, _ in results)
