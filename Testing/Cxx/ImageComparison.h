@@ -24,12 +24,14 @@ struct ImageDifference
   int Outliers = 0; // pixels with a channel beyond ImageLimits::Maximum
 };
 
+/// VTK 9.1 on Mesa 22.3 and VTK 9.6 on Mesa 26.1 draw the baselines to the last bit. What is
+/// allowed beyond that is for processors with other vector units: roundings, and a few pixels of
+/// silhouettes.
 struct ImageLimits
 {
-  double Maximum = 3.0; // of all pixels but the outliers
-  double Mean = 0.1;
-  int Outliers = 90; // 0.1 % of 300 x 300: pixels of silhouettes, which rasterisers may place
-                     // differently by one
+  double Maximum = 2.0; // of all pixels but the outliers
+  double Mean = 0.02;
+  int Outliers = 20;
 };
 
 /// -V and -T of the command line.

@@ -43,9 +43,9 @@ int TestClippingPlanes(int argc, char* argv[])
         { 0.5f, { 0.1f, 0.9f, 0.1f, 0.25f } }, { 0.75f, { 0.1f, 0.1f, 0.9f, 0.75f } } };
       const glm::dvec4 three = ReferenceCompositor::Composite(layers, background);
       const glm::dvec4 two = ReferenceCompositor::Composite({ layers[0], layers[2] }, background);
-      rig.AddQuad(layers[2]);
-      vtkActor* middle = rig.AddQuad(layers[1]);
       rig.AddQuad(layers[0]);
+      vtkActor* middle = rig.AddQuad(layers[1]);
+      rig.AddQuad(layers[2]);
       AddClippingPlane(middle, -1.0, 0.0, 0.0, -rig.ToWorld(20.0, 0.0, 0.5).x);
       report.Compare(
         "the middle layer clipped", rig.Render(),

@@ -49,7 +49,7 @@ void CheckRandomLayers(TestReport& report, TestRig& rig, const Setup& setup, int
     report.Compare(over + " in the window", rig.RenderWindow(), Everywhere(expected),
       bound + TestRig::WindowTolerance());
   }
-  rig.SetBackground(glm::dvec4(0.2, 0.4, 0.6, 1.0));
+  rig.SetBackground(glm::dvec4(0.2, 0.4, 0.6, 0.4));
 }
 }
 

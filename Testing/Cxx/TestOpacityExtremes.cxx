@@ -64,7 +64,7 @@ void CheckOpaqueLayer(TestReport& report, TestRig& rig, const Setup& setup)
     rig.AddStack(layers);
     report.CompareBits(what + ", other layers behind it", rig.Render(), image);
   }
-  rig.SetBackground(glm::dvec4(0.2, 0.4, 0.6, 1.0));
+  rig.SetBackground(glm::dvec4(0.2, 0.4, 0.6, 0.4));
 }
 
 /// Opacities that 8 bits cannot hold add up.

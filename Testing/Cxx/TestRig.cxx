@@ -43,7 +43,7 @@ TestRig::TestRig(const Setup& setup, int width, int height)
   this->Renderer->SetActiveCamera(this->Camera);
   this->Renderer->AddObserver(vtkCommand::StartEvent, this, &TestRig::BindTarget);
   this->Renderer->AddObserver(vtkCommand::EndEvent, this, &TestRig::ReadTarget);
-  this->SetBackground(glm::dvec4(0.2, 0.4, 0.6, 1.0));
+  this->SetBackground(glm::dvec4(0.2, 0.4, 0.6, 0.4));
 
   this->Window->SetOffScreenRendering(1);
   this->Window->SetMultiSamples(0);

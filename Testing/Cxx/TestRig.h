@@ -71,7 +71,8 @@ public:
   int GetHeight() const { return this->Height; }
   void SetSize(int width, int height);
 
-  /// Default: (0.2, 0.4, 0.6, 1), which 8 bits hold exactly. Returned by GetBackground().
+  /// Default: (0.2, 0.4, 0.6, 0.4), which 8 bits hold exactly; with an alpha, so that each
+  /// comparison tests alpha too.
   void SetBackground(const glm::dvec4& color);
   glm::dvec4 GetBackground() const;
 

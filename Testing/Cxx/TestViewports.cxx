@@ -62,6 +62,7 @@ void AddScene(vtkRenderer* renderer, TestRig& rig)
 void CheckOffset(TestReport& report, const Setup& setup)
 {
   TestRig plain(setup, 60, 40);
+  plain.SetBackground(glm::dvec4(0.2, 0.4, 0.6, 1.0));
   AddScene(plain.Renderer, plain);
   const Image expected = plain.RenderWindow();
 
