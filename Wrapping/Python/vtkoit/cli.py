@@ -145,6 +145,33 @@ def main(prog="vtkoit", arguments=None):
     except SystemExit as leave:
         return leave.code or 0
     name = "%s %s" % (prog, options.command)
+    if options.command == "render" and arguments is None and hasattr(os, "fork"):
+        return _isolated(name, options)
+    return _guarded(name, options)
+
+
+def _isolated(name, options):
+    """Runs a command in a child process: some of VTK's readers crash on a corrupt file."""
+    sys.stdout.flush()
+    sys.stderr.flush()
+    child = os.fork()
+    if child == 0:
+        os._exit(_guarded(name, options))
+    while True:
+        try:
+            _, status = os.waitpid(child, 0)
+            break
+        except KeyboardInterrupt:
+            continue  # the terminal interrupts the child too, which tells about it
+    if os.WIFSIGNALED(status):
+        number = os.WTERMSIG(status)
+        return _fail(name, "VTK crashed (%s); one of the files is corrupt, or memory ran out: %s"
+                     % (signal.strsignal(number), " ".join(options.inputs)))
+    return os.WEXITSTATUS(status)
+
+
+def _guarded(name, options):
+    """Runs a command; the exit status, with an error told in one line."""
     try:
         _run(options)
         sys.stdout.flush()

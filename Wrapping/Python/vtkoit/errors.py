@@ -77,13 +77,14 @@ def listen(instance):
 # "2026-11-23 10:00:00.000 (0.1s) [ABCD] file.cxx:12 ERR| " of its log: the same message twice.
 _HEADING = re.compile(r"^(ERROR|Warning|Generic Warning|Debug): In .*, line \d+$")
 _LOG = re.compile(r"^\(?[\d.:\s-]*\(\s*[\d.]+s\)\s*\[[^\]]*\].*?\b(ERR|WARN|INFO)\|\s?")
+_COLOR = re.compile(r"\x1b\[[0-9;]*m")
 _OBJECT = re.compile(r"^(vtk\w+)(\s*\((0x[0-9a-fA-F]+|nil)\)(\s*'[^']*')?)?:\s*")
 
 
 def _records(text):
     """Yields (level, line): "error" or "warning" of VTK, "other" for what somebody else printed."""
     level = "other"
-    for line in text.splitlines():
+    for line in _COLOR.sub("", text).splitlines():
         line = line.strip()
         heading = _HEADING.match(line)
         if heading:
@@ -105,7 +106,22 @@ def _messages(text):
     return [line for _, line in _records(text)]
 
 
+# vtkErrorCode from its first value on; that class is not wrapped.
+_ERROR_CODES = ["file not found", "the file cannot be opened", "unrecognized file type",
+                "premature end of file", "wrong file format", "no file name", "out of disk space"]
+
+
+def error_code_text(code):
+    """What an error code (int) of a VTK reader or writer means, str."""
+    if 20000 < code <= 20000 + len(_ERROR_CODES):
+        return _ERROR_CODES[code - 20001]
+    return os.strerror(code) if 0 < code < 200 else "error %d" % code
+
+
 def one_line(error):
     """The text of an exception as one str without line breaks."""
-    text = " ".join(str(error).split())
+    text = "".join(c if c.isprintable() and c != "\ufffd" else " " for c in str(error))
+    text = " ".join(text.split())
+    if len(text) > 600:
+        text = text[:600] + " ..."
     return text or type(error).__name__

@@ -9,7 +9,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
-from .errors import Error, capture
+from .errors import Error, capture, error_code_text
 
 # Extension: (class of vtkIOImage, whether the format keeps opacity)
 _WRITERS = {
@@ -86,7 +86,5 @@ def save(pixels, path, transparent=False):
     with capture() as captured:
         writer.Write()
     if writer.GetErrorCode() or captured.errors(1) or not os.path.exists(path):
-        from vtkmodules.vtkCommonCore import vtkErrorCode
-
-        reason = captured.errors(1) or vtkErrorCode.GetStringFromErrorCode(writer.GetErrorCode())
+        reason = captured.errors(1) or error_code_text(writer.GetErrorCode())
         raise Error("%s: cannot be written: %s" % (path, reason))

@@ -6,7 +6,7 @@ import collections
 import os
 import re
 
-from .errors import Error, capture
+from .errors import Error, capture, error_code_text
 from .readers import STACKS, extension_of, extensions, reader_class
 
 Input = collections.namedtuple("Input", "name data")
@@ -107,6 +107,8 @@ def _set_up(reader, paths, is_folder):
         reader.SetFileNames(names)
         return True
     path = os.path.abspath(paths[0])
+    if extension_of(path) == "stl" and not _is_stl(path):
+        return False
     # Some readers answer so only after they have their file.
     (reader.SetCaseFileName if hasattr(reader, "SetCaseFileName") else reader.SetFileName)(path)
     if hasattr(reader, "CanReadFile") and not reader.CanReadFile(path):
@@ -127,9 +129,7 @@ def _result(reader, usable, captured, path, extension):
     data = reader.GetOutputDataObject(0) if usable else None
     reason = captured.errors(1)
     if usable and reader.GetErrorCode() and not reason:
-        from vtkmodules.vtkCommonCore import vtkErrorCode
-
-        reason = vtkErrorCode.GetStringFromErrorCode(reader.GetErrorCode())
+        reason = error_code_text(reader.GetErrorCode())
     if not usable or reason or data is None:
         reason = reason or captured.summary(1) or "not a valid .%s file" % extension
         raise Error("%s: cannot be read: %s" % (path, reason))
@@ -137,7 +137,21 @@ def _result(reader, usable, captured, path, extension):
             and not data.IsA("vtkHyperTreeGrid"):
         detail = captured.summary(1)
         raise Error("%s: holds no points%s" % (path, " (%s)" % detail if detail else ""))
+    for _, leaf in leaves(data):
+        # Also false for what is not a number.
+        if leaf.IsA("vtkDataSet") and leaf.GetNumberOfPoints() and \
+                not all(abs(bound) < 1e30 for bound in leaf.GetBounds()):
+            raise Error("%s: cannot be read: it has coordinates beyond all measure" % path)
     return data
+
+
+def _is_stl(path):
+    """Whether a file is STL text, or binary with as many triangles as it says: VTK does not ask."""
+    with open(path, "rb") as file:
+        head = file.read(84)
+    count = int.from_bytes(head[80:84], "little")
+    return head.lstrip()[:5].lower() == b"solid" or \
+        (len(head) == 84 and os.path.getsize(path) >= 84 + 50 * count)
 
 
 def leaves(data, name=""):

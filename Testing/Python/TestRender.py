@@ -1,0 +1,160 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkoit render: files to pictures."""
+
+import os
+import struct
+import unittest
+
+import numpy
+import Support
+
+
+class TestRender(Support.FolderTest):
+    def render(self, *arguments, size=(80, 60)):
+        """The picture, and what was printed."""
+        done = self.vtkoit("render", *arguments, "--size", "%dx%d" % size, "-o", "out.png")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("out.png: %dx%d" % size, done.stdout)
+        pixels = Support.read_picture(self.path("out.png"))
+        self.assertEqual(pixels.shape[:2], size[::-1])
+        return pixels, done.stdout
+
+    def test_surface(self):
+        Support.write_sphere(self.path("a.vtp"))
+        pixels, text = self.render("a.vtp", "--samples", "0")
+        self.assertEqual(pixels.shape[2], 3)
+        numpy.testing.assert_array_equal(pixels[0, 0], [255, 255, 255])
+        self.assertLess(pixels[30, 40].min(), 200)
+        self.assertIn("1 surface,", text)
+        self.assertIn("up to 2 layers by A-buffer", text)
+
+    def test_several_files_colours_and_opacities(self):
+        Support.write_sphere(self.path("outer.vtp"), 2.0)
+        Support.write_sphere(self.path("inner.vtp"), 1.0)
+        pixels, text = self.render("outer.vtp", "inner.vtp", "--color", "blue", "#ff0000",
+                                   "--opacity", "0.3", "1", "--background", "black")
+        self.assertIn("2 surfaces", text)
+        self.assertGreater(int(pixels[30, 40, 0]), 1.5 * int(pixels[30, 40, 2]))
+        self.assertGreater(int(pixels[30, 60, 2]), 2 * int(pixels[30, 60, 0]))
+
+    def test_order_of_files_does_not_matter(self):
+        Support.write_sphere(self.path("outer.vtp"), 2.0)
+        Support.write_sphere(self.path("inner.vtp"), 1.0)
+        first, _ = self.render("outer.vtp", "inner.vtp", "--color", "blue", "red",
+                               "--opacity", "0.3", "0.6")
+        second, _ = self.render("inner.vtp", "outer.vtp", "--color", "red", "blue",
+                                "--opacity", "0.6", "0.3")
+        numpy.testing.assert_array_equal(first, second)
+
+    def test_transparent_background(self):
+        Support.write_sphere(self.path("a.vtp"))
+        pixels, _ = self.render("a.vtp", "--background", "transparent", "--opacity", "0.5",
+                                "--color", "red", "--samples", "0")
+        self.assertEqual(pixels.shape[2], 4)
+        numpy.testing.assert_array_equal(pixels[0, 0], [0, 0, 0, 0])
+        # Two layers: 1 - 0.5 * 0.5.
+        self.assertAlmostEqual(int(pixels[30, 40, 3]), 191, delta=1)
+        # Straight alpha: the colour is that of the surface, not darkened by its opacity.
+        opaque, _ = self.render("a.vtp", "--background", "transparent", "--opacity", "1",
+                                "--color", "red", "--samples", "0")
+        self.assertEqual(opaque[30, 40, 3], 255)
+        self.assertGreater(int(pixels[30, 40, 0]), 0.6 * int(opaque[30, 40, 0]))
+
+    def test_isosurfaces(self):
+        Support.write_volume(self.path("a.vti"))
+        pixels, text = self.render("a.vti", "--isosurface", "100", "150", "200")
+        self.assertIn("3 surfaces", text)
+        self.assertGreater(pixels.std(), 5.0)
+
+    def test_isovalues_are_chosen_and_named(self):
+        Support.write_volume(self.path("a.vti"))
+        _, text = self.render("a.vti")
+        self.assertRegex(text, r"a.vti: isosurfaces at [\d.]+ and [\d.]+, chosen by Otsu's method")
+        self.assertIn("2 surfaces", text)
+
+    def test_labels(self):
+        Support.write_labels(self.path("a.mha"))
+        first, text = self.render("a.mha", "--labels")
+        self.assertIn("2 surfaces", text)
+        second, text = self.render("a.mha")
+        self.assertIn("drawn as the 2 labels", text)
+        numpy.testing.assert_array_equal(first, second)
+        _, text = self.render("a.mha", "--labels", "7", "--smooth", "0")
+        self.assertIn("1 surface,", text)
+
+    def test_scalars(self):
+        Support.write_volume(self.path("a.vti"))
+        low, _ = self.render("a.vti", "--isosurface", "150", "--scalars", "RTData",
+                             "--range", "0,100", "--opacity", "1")
+        high, _ = self.render("a.vti", "--isosurface", "150", "--scalars", "RTData",
+                              "--range", "150,300", "--opacity", "1")
+        # Below the range dark violet, above it yellow.
+        self.assertGreater(int(low[30, 40, 0]), int(high[30, 40, 0]) + 50)
+
+    def test_cameras(self):
+        Support.write_volume(self.path("a.vti"))
+        pictures = []
+        for camera in ("x", "-x", "z", "30,20", "1,2,3", "60,0,0,0,0,0,0,0,1", "iso"):
+            pixels, _ = self.render("a.vti", "--isosurface", "150", "--camera", camera)
+            self.assertGreater(pixels.std(), 3.0, camera)
+            pictures.append(pixels.tobytes())
+        self.assertEqual(len(set(pictures)), len(pictures))
+        self.render("a.vti", "--isosurface", "150", "--camera", "-1,0,0", "--up", "-z",
+                    "--parallel", "--zoom", "2")
+
+    def test_stack_of_pictures(self):
+        from vtkmodules.vtkImagingCore import vtkExtractVOI, vtkImageCast, vtkRTAnalyticSource
+        from vtkmodules.vtkIOImage import vtkPNGWriter
+
+        source = vtkRTAnalyticSource()
+        source.SetWholeExtent(0, 11, 0, 11, 0, 11)
+        cast = vtkImageCast()
+        cast.SetInputConnection(source.GetOutputPort())
+        cast.SetOutputScalarTypeToUnsignedChar()
+        cast.ClampOverflowOn()
+        for z in range(12):
+            piece = vtkExtractVOI()
+            piece.SetInputConnection(cast.GetOutputPort())
+            piece.SetVOI(0, 11, 0, 11, z, z)
+            writer = vtkPNGWriter()
+            writer.SetInputConnection(piece.GetOutputPort())
+            writer.SetFileName(self.path("slice%d.png" % z))
+            piece.Update()
+            writer.Write()
+        names = sorted("slice%d.png" % z for z in range(12))
+        _, text = self.render(*names, "--isosurface", "160", "--spacing", "1,1,2")
+        self.assertIn("1 surface,", text)
+        os.remove(self.path("out.png"))
+
+    def test_raw(self):
+        for z in range(6):
+            with open(self.path("part.%d" % z), "wb") as file:
+                file.write(struct.pack(">64H", *[500 * (2 <= z <= 3 and 18 <= i % 64 <= 45)
+                                                 for i in range(64)]))
+        names = ["part.%d" % z for z in range(6)]
+        _, text = self.render(*names, "--raw", "8x8:uint16:big", "--isosurface", "250")
+        self.assertIn("1 surface,", text)
+
+    def test_method_and_properties(self):
+        Support.write_sphere(self.path("a.vtp"))
+        self.render("a.vtp", "--method", "abuffer", "--set", "FragmentPrecision=float",
+                    "--set", "maximum_buffer_size=4194304")
+
+    def test_other_formats_of_pictures(self):
+        Support.write_sphere(self.path("a.vtp"))
+        for name, start in (("a.jpg", b"\xff\xd8"), ("a.tif", b"II"), ("a.bmp", b"BM"),
+                            ("a.ppm", b"P6")):
+            done = self.vtkoit("render", "a.vtp", "--size", "20x20", "-o", name)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            with open(self.path(name), "rb") as file:
+                self.assertTrue(file.read(2).startswith(start), name)
+
+    def test_odd_sizes(self):
+        Support.write_sphere(self.path("a.vtp"))
+        for size in ((1, 1), (3, 7), (257, 129)):
+            self.render("a.vtp", size=size)
+
+
+if __name__ == "__main__":
+    unittest.main()
