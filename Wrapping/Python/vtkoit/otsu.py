@@ -31,10 +31,16 @@ def thresholds(values, number=2, bins=128):
 
     cut = numpy.arange(1, bins)
     if number == 1:
-        best = cut[numpy.argmax(between(0, cut) + between(cut, bins))]
-        return [float(edges[best])]
+        best = _middle_of_best(between(0, cut) + between(cut, bins))
+        return [float(edges[cut[best[0]]])]
     low, high = cut[:, None], cut[None, :]
     score = between(0, low) + between(low, numpy.maximum(high, low)) + between(high, bins)
     score[high <= low] = -1.0
-    best = numpy.unravel_index(numpy.argmax(score), score.shape)
+    best = _middle_of_best(score)
     return [float(edges[cut[best[0]]]), float(edges[cut[best[1]]])]
+
+
+def _middle_of_best(score):
+    """The position of the largest value; of several, as between classes far apart, the middle."""
+    best = numpy.argwhere(score >= score.max() * (1.0 - 1e-9))
+    return best.mean(axis=0).round().astype(int)
