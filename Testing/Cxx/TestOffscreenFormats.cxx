@@ -9,6 +9,7 @@
 
 #include "vtkActor.h"
 #include "vtkFramebufferPass.h"
+#include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -57,12 +58,24 @@ void CheckFormat(TestReport& report, const Setup& setup, const Format& format)
 
   // Coplanar with an opaque face, where rounding depths to 24 bits would make it speckle.
   const glm::vec4 orange(0.9f, 0.5f, 0.1f, 0.375f);
-  for (const double slope : { 0.03, 0.4, 0.61 })
+  // With polygon offsets on, VTK writes gl_FragDepth, so that the pass has to test the depth
+  // itself.
+  for (const bool writesDepth : { false, true })
   {
-    rig.RemoveProps();
-    rig.AddRamp(0.5 - slope, 0.5 + 0.7 * slope, { 0.1f, 0.3f, 0.9f, 1.0f });
-    CheckSingleLayer(report, rig, setup, name + ": coplanar, slope " + std::to_string(slope),
-      rig.AddRamp(0.5 - slope, 0.5 + 0.7 * slope, orange), orange.a, 1000, 0);
+    if (writesDepth)
+    {
+      vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+    }
+    for (const double slope : { 0.03, 0.4, 0.61 })
+    {
+      rig.RemoveProps();
+      rig.AddRamp(0.5 - slope, 0.5 + 0.7 * slope, { 0.1f, 0.3f, 0.9f, 1.0f });
+      CheckSingleLayer(report, rig, setup,
+        name + (writesDepth ? ": coplanar with offsets" : ": coplanar") + ", slope " +
+          std::to_string(slope),
+        rig.AddRamp(0.5 - slope, 0.5 + 0.7 * slope, orange), orange.a, 1000, 0);
+    }
+    vtkMapper::SetResolveCoincidentTopologyToDefault();
   }
 
   // High dynamic range: everything scales.

@@ -67,6 +67,19 @@ void CheckOpaqueLayer(TestReport& report, TestRig& rig, const Setup& setup)
   rig.SetBackground(glm::dvec4(0.2, 0.4, 0.6, 0.4));
 }
 
+/// Colours between two halves go to the nearer one: cutting bits off would be twice as wrong.
+void CheckRounding(TestReport& report, TestRig& rig, const Setup& setup)
+{
+  const float step = 1.0f / 2048; // of a half in [0.5, 1)
+  const std::vector<Layer> layers{ { 0.5f,
+    { 0.5f + 0.9f * step, 0.5f + 0.6f * step, 0.5f + 0.4f * step, 1.0f } } };
+  rig.RemoveProps();
+  rig.AddStack(layers);
+  report.Compare("colours between two halves", rig.Render(),
+    Everywhere(glm::dvec4(layers[0].Color)),
+    ReferenceCompositor::RoundingBound(layers, glm::dvec4(0.5), setup.FragmentStorage));
+}
+
 /// Opacities that 8 bits cannot hold add up.
 void CheckFaintLayers(TestReport& report, TestRig& rig, const Setup& setup)
 {
@@ -100,6 +113,7 @@ int TestOpacityExtremes(int argc, char* argv[])
       TestRig rig(setup, 8, 6);
       CheckInvisibleLayers(report, rig);
       CheckOpaqueLayer(report, rig, setup);
+      CheckRounding(report, rig, setup);
       CheckFaintLayers(report, rig, setup);
     });
 }

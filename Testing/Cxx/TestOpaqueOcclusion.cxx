@@ -11,11 +11,10 @@
 #include "vtkLineSource.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
-#include "vtkPointSource.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
 
@@ -116,6 +115,37 @@ void CheckLinesAndPoints(TestReport& report, TestRig& rig, const Setup& setup)
   actor->GetProperty()->SetPointSize(4.0);
   CheckSingleLayer(report, rig, setup, "points", actor, Orange.a);
 }
+
+/// In the window: with and without samples and stencil, whose depths have other formats.
+void CheckWindows(TestReport& report, const Setup& setup)
+{
+  vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+  for (const int samples : { 0, 4 })
+  {
+    for (const int stencil : { 0, 1 })
+    {
+      const std::string what =
+        std::to_string(samples) + " samples, stencil " + (stencil ? "on" : "off");
+      TestRig rig(setup, 20, 16);
+      rig.Window->SetMultiSamples(samples);
+      rig.Window->SetStencilCapable(stencil);
+      rig.AddQuad({ 0.5f, Blue });
+      vtkActor* actor = rig.AddQuad({ 0.5f, Orange });
+      for (const double units : { -200.0, 200.0 })
+      {
+        actor->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, units);
+        const glm::dvec4 expected = units > 0.0
+          ? glm::dvec4(Blue)
+          : ReferenceCompositor::Composite({ { 0.5f, Orange } }, glm::dvec4(Blue));
+        report.Compare(what + (units > 0.0 ? ", behind" : ", in front"), rig.RenderWindow(),
+          Everywhere(expected),
+          ReferenceCompositor::RoundingBoundOfAnyStack(1, setup.FragmentStorage) +
+            TestRig::WindowTolerance());
+      }
+    }
+  }
+  vtkMapper::SetResolveCoincidentTopologyToDefault();
+}
 }
 
 int TestOpaqueOcclusion(int argc, char* argv[])
@@ -128,5 +158,6 @@ int TestOpaqueOcclusion(int argc, char* argv[])
       CheckCoplanar(report, rig, setup);
       CheckPolygonOffset(report, rig, setup);
       CheckLinesAndPoints(report, rig, setup);
+      CheckWindows(report, setup);
     });
 }

@@ -80,6 +80,31 @@ void RenderRound(TestRig& rig, Setup setup, int round)
   rig.Window->SetMultiSamples(0);
   rig.Window->Render();
 }
+
+/// Uninstalling frees what the pass holds on the context, though the pass lives on. VTK keeps the
+/// programs.
+void CheckRelease(TestReport& report, TestRig& rig, const Setup& setup)
+{
+  const auto pass = setup.CreatePass();
+  GLObjectCounts counts[2];
+  for (GLObjectCounts& count : counts)
+  {
+    setup.Detach(rig.Renderer);
+    rig.Window->Render();
+    rig.Window->MakeCurrent();
+    count = GLObjectCounts::OfCurrentContext();
+    setup.Attach(rig.Renderer, pass);
+    rig.Window->Render();
+  }
+  rig.Window->MakeCurrent();
+  const GLObjectCounts installed = GLObjectCounts::OfCurrentContext();
+  report.Check(installed.Textures + installed.Buffers > counts[0].Textures + counts[0].Buffers,
+    "an installed pass holds nothing, so nothing can be missed");
+  report.Check(counts[0].Textures == counts[1].Textures && counts[0].Buffers == counts[1].Buffers &&
+      counts[0].Framebuffers == counts[1].Framebuffers &&
+      counts[0].VertexArrays == counts[1].VertexArrays,
+    "uninstalling went from " + counts[0].Describe() + " to " + counts[1].Describe());
+}
 }
 
 int TestResources(int argc, char* argv[])
@@ -115,6 +140,7 @@ int TestResources(int argc, char* argv[])
       const GLObjectCounts after = GLObjectCounts::OfCurrentContext();
       report.Check(
         before == after, "objects went from " + before.Describe() + " to " + after.Describe());
+      CheckRelease(report, rig, setup);
       // The heads of the lists alone are 4 bytes a pixel, 256 KiB here: leaking that in each of the
       // 48 attachments would be 12 MiB, and a store of fragments more. Allocators keep less.
       const double growth = (GetResidentMemory() - memoryBefore) / 1048576.0;
