@@ -22,7 +22,7 @@ class TestColors(unittest.TestCase):
             function = colors.transfer_function(name, -2.0, 3.0)
             backwards = colors.transfer_function(name + "-r", -2.0, 3.0)
             numpy.testing.assert_allclose(function.GetColor(-2.0), backwards.GetColor(3.0),
-                                       atol=1e-4)
+                                       atol=1e-3)
             self.assertEqual(tuple(function.GetRange()), (-2.0, 3.0))
 
     def test_palette_has_no_two_alike(self):

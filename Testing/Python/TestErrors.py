@@ -2,11 +2,28 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Everything that can go wrong on the command line: one clear line, a status that is not 0."""
 
+import contextlib
+import io
 import os
 import stat
+import subprocess
 import unittest
 
 import Support
+from vtkoit.cli import main
+
+
+def run_here(arguments, folder):
+    """Runs the command line in this process, which is much quicker than a new one."""
+    out, err = io.StringIO(), io.StringIO()
+    before = os.getcwd()
+    os.chdir(folder)
+    try:
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            status = main("vtkoit", list(arguments))
+    finally:
+        os.chdir(before)
+    return subprocess.CompletedProcess(arguments, status, out.getvalue(), err.getvalue())
 
 
 class TestErrors(Support.FolderTest):
@@ -14,10 +31,10 @@ class TestErrors(Support.FolderTest):
         super().setUp()
         Support.write_sphere(self.path("a.vtp"))
 
-    def fails(self, *arguments, text, status=1):
-        """Runs vtkoit; it must end with the status and one line that has the text (a regular
-        expression)."""
-        done = self.vtkoit(*arguments)
+    def fails(self, *arguments, text, status=1, here=True):
+        """Runs vtkoit, here or in a new process; it must end with the status and one line that has
+        the text (a regular expression)."""
+        done = run_here(arguments, self.folder) if here else self.vtkoit(*arguments)
         self.assertEqual(done.returncode, status, done.stderr)
         self.assertEqual(done.stdout, "")
         self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
@@ -26,11 +43,11 @@ class TestErrors(Support.FolderTest):
         self.assertRegex(done.stderr, "^vtkoit")
         self.assertRegex(done.stderr, text)
 
-    def render_fails(self, *arguments, text, status=1):
+    def render_fails(self, *arguments, text, status=1, here=True):
         arguments = list(arguments)
         if "-o" not in arguments:
             arguments += ["-o", "out.png"]
-        self.fails("render", *arguments, text=text, status=status)
+        self.fails("render", *arguments, text=text, status=status, here=here)
         self.assertFalse(os.path.exists(self.path("out.png")))
 
     def write(self, name, content):
@@ -47,6 +64,8 @@ class TestErrors(Support.FolderTest):
 
     def test_missing_file(self):
         self.render_fails("none.vtp", text="none.vtp: no such file")
+        self.render_fails("none.vtp", text="none.vtp: no such file", here=False)
+        self.fails("paint", text="paint", status=2, here=False)
         self.render_fails("a.vtp", "none.vti", text="none.vti: no such file")
 
     def test_unknown_extension(self):
@@ -70,7 +89,7 @@ class TestErrors(Support.FolderTest):
                 self.render_fails(name, text="bad.%s: the file is empty" % extension)
                 self.write(name, garbage)
                 self.render_fails(name, text="(bad.%s: (cannot be read|holds no points)|VTK crashed .*: bad.%s)"
-                                  % (extension, extension))
+                                  % (extension, extension), here=False)
 
     def test_truncated(self):
         Support.write_volume(self.path("a.vti"))

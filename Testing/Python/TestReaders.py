@@ -29,8 +29,10 @@ def volume(kind="Float"):
 
 
 def grid():
+    image = volume()
+    image.Update()
     append = vtkAppendFilter()
-    append.SetInputConnection(volume().GetOutputPort())
+    append.AddInputData(image.GetOutput())
     return append
 
 
