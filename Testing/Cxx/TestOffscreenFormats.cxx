@@ -69,11 +69,17 @@ void CheckFormat(TestReport& report, const Setup& setup, const Format& format)
     for (const double slope : { 0.03, 0.4, 0.61 })
     {
       rig.RemoveProps();
-      rig.AddRamp(0.5 - slope, 0.5 + 0.7 * slope, { 0.1f, 0.3f, 0.9f, 1.0f });
+      vtkActor* actors[2];
+      for (int i = 0; i < 2; ++i)
+      {
+        actors[i] = rig.AddRamp(
+          0.5 - slope, 0.5 + 0.7 * slope, i ? orange : glm::vec4(0.1f, 0.3f, 0.9f, 1.0f));
+        actors[i]->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, 3.0);
+      }
       CheckSingleLayer(report, rig, setup,
         name + (writesDepth ? ": coplanar with offsets" : ": coplanar") + ", slope " +
           std::to_string(slope),
-        rig.AddRamp(0.5 - slope, 0.5 + 0.7 * slope, orange), orange.a, 1000, 0);
+        actors[1], orange.a, 1000, 0);
     }
     vtkMapper::SetResolveCoincidentTopologyToDefault();
   }
