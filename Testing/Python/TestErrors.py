@@ -97,6 +97,20 @@ class TestErrors(Support.FolderTest):
             content = file.read()
         self.write("cut.vti", content[:len(content) // 2])
         self.render_fails("cut.vti", text="cut.vti: cannot be read: .*")
+        from vtkmodules.vtkIOLegacy import vtkDataSetWriter
+        from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+
+        # VTK's reader only warns, and goes on with what was in memory.
+        writer = vtkDataSetWriter()
+        source = vtkRTAnalyticSource()
+        writer.SetInputConnection(source.GetOutputPort())
+        writer.SetFileTypeToBinary()
+        writer.SetFileName(self.path("a.vtk"))
+        writer.Write()
+        with open(self.path("a.vtk"), "rb") as file:
+            content = file.read()
+        self.write("cut.vtk", content[:len(content) // 2])
+        self.render_fails("cut.vtk", text="cut.vtk: cannot be read: Error reading")
 
     def test_method(self):
         self.render_fails("a.vtp", "--method", "magic", text="magic.*the methods are: abuffer")

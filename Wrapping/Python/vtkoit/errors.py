@@ -77,6 +77,7 @@ def listen(instance):
 # "2026-11-23 10:00:00.000 (0.1s) [ABCD] file.cxx:12 ERR| " of its log: the same message twice.
 _HEADING = re.compile(r"^(ERROR|Warning|Generic Warning|Debug): In .*, line \d+$")
 _LOG = re.compile(r"^\(?[\d.:\s-]*\(\s*[\d.]+s\)\s*\[[^\]]*\].*?\b(ERR|WARN|INFO)\|\s?")
+_IS_ERROR = re.compile(r"\berror\b|premature|unexpected end|truncated", re.IGNORECASE)
 _COLOR = re.compile(r"\x1b\[[0-9;]*m")
 _OBJECT = re.compile(r"^(vtk\w+)(\s*\((0x[0-9a-fA-F]+|nil)\)(\s*'[^']*')?)?:\s*")
 
@@ -99,7 +100,8 @@ def _records(text):
             line = line[log.end():].strip()
         line = " ".join(_OBJECT.sub("", line).split())
         if line:
-            yield level, line
+            # Some of VTK's readers warn of an error and go on with whatever was in memory.
+            yield "error" if level == "warning" and _IS_ERROR.search(line) else level, line
 
 
 def _messages(text):
