@@ -21,6 +21,7 @@
 #include <vtksys/CommandLineArguments.hxx>
 
 #include <algorithm>
+#include <ctime>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -63,18 +64,27 @@ public:
     }
   }
 
-  double RenderFrame()
+  void RenderFrame()
   {
     this->Renderer->GetActiveCamera()->Azimuth(0.5);
     const double start = vtkTimerLog::GetUniversalTime();
+    const std::clock_t cpuStart = std::clock();
     this->Window->Render();
     this->Window->WaitForCompletion();
-    return vtkTimerLog::GetUniversalTime() - start;
+    this->CPUSeconds.push_back(double(std::clock() - cpuStart) / CLOCKS_PER_SEC);
+    this->Seconds.push_back(vtkTimerLog::GetUniversalTime() - start);
+  }
+
+  void ForgetFrames()
+  {
+    this->Seconds.clear();
+    this->CPUSeconds.clear();
   }
 
   std::string Name;
   vtkSmartPointer<vtkOITPass> Pass;
   std::vector<double> Seconds;
+  std::vector<double> CPUSeconds; // of all threads; less disturbed by other processes
 
 private:
   vtkNew<vtkRenderer> Renderer; // outlives the window, which is declared after it
@@ -99,20 +109,22 @@ void RunScene(
     contenders.push_back(std::make_unique<Contender>(method, scene, size));
     contenders.back()->RenderFrame(); // data, shaders and buffers are made here
     contenders.back()->RenderFrame();
+    contenders.back()->ForgetFrames();
   }
   for (int frame = 0; frame < frames; ++frame)
   {
     for (auto& contender : contenders)
     {
-      contender->Seconds.push_back(contender->RenderFrame());
+      contender->RenderFrame();
     }
   }
 
   std::cout << "\n" << scene.Name << ": " << scene.Description << ", " << size << " x " << size
             << ", " << frames << " frames each\n"
-            << "  method          ratio    spread   ms/frame   passes  fragments  depth  MiB\n"
+            << "  method          ratio    spread  cpu ratio   ms/frame   passes  fragments  depth  MiB\n"
             << std::fixed;
   const double reference = GetQuantile(contenders.front()->Seconds, 0.5);
+  const double cpuReference = GetQuantile(contenders.front()->CPUSeconds, 0.5);
   for (const auto& contender : contenders)
   {
     const double median = GetQuantile(contender->Seconds, 0.5);
@@ -120,8 +132,9 @@ void RunScene(
       (GetQuantile(contender->Seconds, 0.75) - GetQuantile(contender->Seconds, 0.25)) / median;
     std::cout << "  " << std::left << std::setw(14) << contender->Name << std::right
               << std::setprecision(2) << std::setw(7) << median / reference << std::setw(9)
-              << std::setprecision(0) << 100.0 * spread << "%" << std::setprecision(1)
-              << std::setw(11) << 1000.0 * median;
+              << std::setprecision(0) << 100.0 * spread << "%" << std::setprecision(2)
+              << std::setw(11) << GetQuantile(contender->CPUSeconds, 0.5) / cpuReference
+              << std::setprecision(1) << std::setw(11) << 1000.0 * median;
     if (vtkOITPass* pass = contender->Pass)
     {
       std::cout << std::setw(9) << pass->GetNumberOfGeometryPasses() << std::setw(11)

@@ -222,12 +222,7 @@ vtkOITFragmentStore::Counters vtkOITABufferPass::Internals::Resolve(const vtkOIT
   const vtkOITSavedState saved(frame.GLState, false); // the next band starts from it
   frame.GLState->vtkglDisable(GL_DEPTH_TEST);
   frame.GLState->vtkglDisable(GL_CULL_FACE);
-  vtkOITFragmentStore::Counters counters = this->Resolver.Count(frame, this->Store);
-  if (!counters.Overflow)
-  {
-    this->Resolver.Composite(frame, this->Store, counters);
-  }
-  return counters;
+  return this->Resolver.Resolve(frame, this->Store);
 }
 
 //------------------------------------------------------------------------------

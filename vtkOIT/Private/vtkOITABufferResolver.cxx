@@ -15,8 +15,12 @@
 
 namespace
 {
-// Mappers count their texture units up from 0 and GL has at least 16 of them.
-constexpr int TileUnit = 14;
+// Two texture units. Mappers count theirs up from 0 and GL has at least 16.
+constexpr int TileUnit = 13;
+
+// Classes of tiles, as in vtkOITABufferPassTileVS.glsl.
+constexpr std::array<int, 2> AllTiles = { 0, std::numeric_limits<int>::max() };
+constexpr std::array<int, 2> TilesWithLeftPixels = { -1, -1 };
 
 constexpr GLbitfield Barriers =
   GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT;
@@ -50,20 +54,59 @@ void vtkOITABufferResolver::SetShaders(const vtkOITABufferShaders& shaders)
 //------------------------------------------------------------------------------
 void vtkOITABufferResolver::Release()
 {
+  this->DepthComplexity.Clear();
   this->CountStage.Release();
   for (vtkOITScreenStage& stage : this->ResolveStages)
   {
     stage.Release();
   }
+  this->SecondChanceStage.Release();
   this->SortStage.Release();
   this->CompositeStage.Release();
+}
+
+//------------------------------------------------------------------------------
+vtkOITFragmentStore::Counters vtkOITABufferResolver::Resolve(
+  const vtkOITFrame& frame, vtkOITFragmentStore& store)
+{
+  glMemoryBarrier(Barriers);
+  const bool isMultisampled = this->Shaders.Samples > 0;
+  vtkOITFragmentStore::Counters counters;
+  if (isMultisampled || this->DepthComplexity.IsEmpty())
+  {
+    counters = this->Count(frame, store);
+    if (counters.Overflow)
+    {
+      return counters;
+    }
+    this->DepthComplexity.Update(store.GetTileGrid(), counters.Tiles);
+  }
+
+  this->PrepareOutput(frame, store);
+  if (!isMultisampled)
+  {
+    this->DrawExpected(frame, store);
+    counters = store.ReadCounters();
+    if (!counters.Overflow)
+    {
+      this->DepthComplexity.Update(store.GetTileGrid(), counters.Tiles);
+    }
+  }
+  if (!counters.Overflow && (isMultisampled || counters.HasLeftPixels))
+  {
+    const std::uint32_t longest =
+      *std::max_element(counters.Tiles.begin(), counters.Tiles.end());
+    this->DrawLists(frame, store, static_cast<int>(longest),
+      isMultisampled ? AllTiles : TilesWithLeftPixels);
+  }
+  store.UnbindTiles(frame.GLState, TileUnit);
+  return counters;
 }
 
 //------------------------------------------------------------------------------
 vtkOITFragmentStore::Counters vtkOITABufferResolver::Count(
   const vtkOITFrame& frame, const vtkOITFragmentStore& store)
 {
-  glMemoryBarrier(Barriers);
   this->CountStage.Render(
     frame.Window, vtkOITFullScreenVS, [this] { return this->Shaders.GetCount(); },
     [&store](vtkShaderProgram* program) { store.SetUniforms(program); });
@@ -71,8 +114,8 @@ vtkOITFragmentStore::Counters vtkOITABufferResolver::Count(
 }
 
 //------------------------------------------------------------------------------
-void vtkOITABufferResolver::Composite(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
-  const vtkOITFragmentStore::Counters& counters)
+void vtkOITABufferResolver::PrepareOutput(
+  const vtkOITFrame& frame, const vtkOITFragmentStore& store) const
 {
   vtkOpenGLState* state = frame.GLState;
   frame.DrawToFirstBufferOnly();
@@ -91,62 +134,69 @@ void vtkOITABufferResolver::Composite(const vtkOITFrame& frame, const vtkOITFrag
   constexpr int size = vtkOITTileGrid::TileSize;
   state->vtkglViewport(grid.FirstColumn * size, grid.FirstRow * size, grid.Columns * size,
     grid.Rows * size);
-
-  const auto maximum =
-    static_cast<int>(*std::max_element(counters.Tiles.begin(), counters.Tiles.end()));
-  if (maximum == 0)
-  {
-    return; // all fragments were hidden, or none had opacity
-  }
   store.BindTiles(state, TileUnit);
-  int smallest = 1;
-  if (this->Shaders.Samples == 0)
-  {
-    for (std::size_t i = 0; i < this->ResolveStages.size(); ++i)
-    {
-      const int largest = vtkOITABufferShaders::NetworkSizes[i];
-      const bool isNeeded =
-        std::any_of(counters.Tiles.begin(), counters.Tiles.end(), [=](std::uint32_t count) {
-          return static_cast<int>(count) >= smallest && static_cast<int>(count) <= largest;
-        });
-      if (isNeeded)
-      {
-        this->DrawTiles(this->ResolveStages[i], frame, store, smallest, largest, false,
-          [this, largest] { return this->Shaders.GetResolve(largest); });
-      }
-      smallest = largest + 1;
-    }
-    glMemoryBarrier(Barriers);
-  }
-  this->CompositeLists(frame, store, maximum, smallest);
-  store.UnbindTiles(state, TileUnit);
 }
 
 //------------------------------------------------------------------------------
-void vtkOITABufferResolver::CompositeLists(
-  const vtkOITFrame& frame, const vtkOITFragmentStore& store, int maximum, int smallest)
+void vtkOITABufferResolver::DrawExpected(const vtkOITFrame& frame, vtkOITFragmentStore& store)
 {
-  constexpr int unlimited = std::numeric_limits<int>::max();
-  frame.GLState->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE); // Sort has no output
-  for (const auto& widths : PlanSort(maximum))
+  const std::vector<std::uint32_t> expected =
+    this->DepthComplexity.GetExpected(store.GetTileGrid());
+  store.SetExpected(expected);
+  int smallest = 0;
+  for (std::size_t i = 0; i < this->ResolveStages.size(); ++i)
+  {
+    const int size = vtkOITABufferShaders::NetworkSizes[i];
+    const bool isLast = i + 1 == this->ResolveStages.size();
+    const int largest = isLast ? std::numeric_limits<int>::max() : size;
+    const bool isNeeded = std::any_of(expected.begin(), expected.end(), [=](std::uint32_t count) {
+      return smallest <= static_cast<int>(count) && static_cast<int>(count) <= largest;
+    });
+    if (isNeeded)
+    {
+      this->DrawTiles(this->ResolveStages[i], frame, store, { smallest, largest },
+        [this, size] { return this->Shaders.GetResolve(size, false); });
+    }
+    smallest = largest + (isLast ? 0 : 1);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
+  int longest, const std::array<int, 2>& tileClass)
+{
+  if (longest == 0)
+  {
+    return;
+  }
+  glMemoryBarrier(Barriers);
+  if (this->Shaders.Samples == 0)
+  {
+    this->DrawTiles(this->SecondChanceStage, frame, store, tileClass, [this] {
+      return this->Shaders.GetResolve(vtkOITABufferShaders::NetworkSizes.back(), true);
+    });
+    glMemoryBarrier(Barriers);
+  }
+  vtkOpenGLState* state = frame.GLState;
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE); // Sort has no output
+  for (const auto& widths : PlanSort(longest))
   {
     this->DrawTiles(
-      this->SortStage, frame, store, smallest, unlimited, true,
-      [this] { return this->Shaders.GetSort(); },
+      this->SortStage, frame, store, tileClass, [this] { return this->Shaders.GetSort(); },
       [&widths](vtkShaderProgram* program) {
         program->SetUniformi("oitFirstWidth", widths.first);
         program->SetUniformi("oitLastWidth", widths.second);
       });
     glMemoryBarrier(Barriers);
   }
-  frame.GLState->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  this->DrawTiles(this->CompositeStage, frame, store, smallest, unlimited, true,
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  this->DrawTiles(this->CompositeStage, frame, store, tileClass,
     [this] { return this->Shaders.GetComposite(); });
 }
 
 //------------------------------------------------------------------------------
 void vtkOITABufferResolver::DrawTiles(vtkOITScreenStage& stage, const vtkOITFrame& frame,
-  const vtkOITFragmentStore& store, int smallest, int largest, bool tied,
+  const vtkOITFragmentStore& store, const std::array<int, 2>& tileClass,
   const std::function<std::string()>& getFragmentShader,
   const std::function<void(vtkShaderProgram*)>& setMore)
 {
@@ -154,11 +204,10 @@ void vtkOITABufferResolver::DrawTiles(vtkOITScreenStage& stage, const vtkOITFram
   const auto setUniforms = [&](vtkShaderProgram* program) {
     store.SetUniforms(program);
     const int dimensions[2] = { grid.Columns, grid.Rows };
-    const int range[2] = { smallest, largest };
     program->SetUniformi("oitTileTexels", TileUnit);
+    program->SetUniformi("oitExpectedTexels", TileUnit + 1);
     program->SetUniform2i("oitTileDimensions", dimensions);
-    program->SetUniform2i("oitTileClass", range);
-    program->SetUniformi("oitTiedTiles", tied ? 1 : 0);
+    program->SetUniform2i("oitTileClass", tileClass.data());
     if (setMore)
     {
       setMore(program);

@@ -4,6 +4,7 @@
 #define vtkOITABufferResolver_h
 
 #include "vtkOITABufferShaders.h"
+#include "vtkOITDepthComplexityMap.h"
 #include "vtkOITFragmentStore.h"
 #include "vtkOITScreenStage.h"
 
@@ -15,10 +16,13 @@ class vtkShaderProgram;
 /**
  * What an A-buffer does after capture, for the current rectangle of a store:
  *
- * 1. Count() finds the depth complexity of tiles, and reads it and the counters back.
- * 2. Composite() draws each tile with the smallest sorting network that takes its pixels. What
- *    no network takes, longer lists and coincident fragments, is sorted and composited after.
- *    Multisampled framebuffers: all lists are sorted, then composited once a sample.
+ * 1. Each tile is drawn with the smallest sorting network that takes the depth complexity it had
+ *    in the last frame. Without a last frame, Count finds the depth complexity.
+ * 2. Counters and tiles are read back: the only time that the pass waits for the GPU.
+ * 3. Pixels that were left, if any, get a second chance with the largest network; longer lists and
+ *    coincident fragments are sorted and composited.
+ *
+ * Multisampled framebuffers: Count, then all lists are sorted and composited once a sample.
  */
 class vtkOITABufferResolver
 {
@@ -26,29 +30,32 @@ public:
   /// Programs for these shaders from now on.
   void SetShaders(const vtkOITABufferShaders& shaders);
 
-  vtkOITFragmentStore::Counters Count(const vtkOITFrame& frame, const vtkOITFragmentStore& store);
-
-  /// `counters` must be free of overflow. Changes blending, draw buffers, colour mask, viewport.
-  void Composite(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
-    const vtkOITFragmentStore::Counters& counters);
+  /// Draws into the framebuffer, unless the store has overflowed: then nothing is drawn. Changes
+  /// blending, draw buffers, colour mask and viewport.
+  vtkOITFragmentStore::Counters Resolve(const vtkOITFrame& frame, vtkOITFragmentStore& store);
 
   void Release();
 
-  /// The longest list that Sort and Composite can handle on every driver: one merge pass over it
-  /// stays below llvmpipe's 65535 loop iterations of a shader.
+  /// The longest list that Sort and Composite can handle on every driver: one merge over it stays
+  /// below llvmpipe's 65535 loop iterations of a shader.
   static constexpr int LongestList = 40000;
 
 private:
+  vtkOITFragmentStore::Counters Count(const vtkOITFrame& frame, const vtkOITFragmentStore& store);
+  void PrepareOutput(const vtkOITFrame& frame, const vtkOITFragmentStore& store) const;
+  void DrawExpected(const vtkOITFrame& frame, vtkOITFragmentStore& store);
+  void DrawLists(const vtkOITFrame& frame, const vtkOITFragmentStore& store, int longest,
+    const std::array<int, 2>& tileClass);
   void DrawTiles(vtkOITScreenStage& stage, const vtkOITFrame& frame,
-    const vtkOITFragmentStore& store, int smallest, int largest, bool tied,
+    const vtkOITFragmentStore& store, const std::array<int, 2>& tileClass,
     const std::function<std::string()>& getFragmentShader,
     const std::function<void(vtkShaderProgram*)>& setMore = {});
-  void CompositeLists(
-    const vtkOITFrame& frame, const vtkOITFragmentStore& store, int maximum, int smallest);
 
   vtkOITABufferShaders Shaders;
+  vtkOITDepthComplexityMap DepthComplexity;
   vtkOITScreenStage CountStage;
   std::array<vtkOITScreenStage, vtkOITABufferShaders::NetworkSizes.size()> ResolveStages;
+  vtkOITScreenStage SecondChanceStage;
   vtkOITScreenStage SortStage;
   vtkOITScreenStage CompositeStage;
 };

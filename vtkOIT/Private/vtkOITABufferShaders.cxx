@@ -29,7 +29,6 @@ bool vtkOITABufferShaders::operator==(const vtkOITABufferShaders& other) const
 std::string vtkOITABufferShaders::GetDefinitions() const
 {
   std::string text = "#define OIT_SAMPLES " + std::to_string(this->Samples) + "\n";
-  text += "#define OIT_LARGEST_NETWORK " + std::to_string(NetworkSizes.back()) + "\n";
   text += this->HasWideNodes() ? "#define OIT_WIDE_NODES\n" : "";
   text += this->FloatColor ? "#define OIT_FLOAT_COLOR\n" : "";
   text += this->NodesInImage ? "#define OIT_NODES_IN_IMAGE\n" : "";
@@ -105,9 +104,10 @@ std::string vtkOITABufferShaders::GetCount() const
 }
 
 //------------------------------------------------------------------------------
-std::string vtkOITABufferShaders::GetResolve(int networkSize) const
+std::string vtkOITABufferShaders::GetResolve(int networkSize, bool isSecondChance) const
 {
-  std::string text = this->Assemble(vtkOITABufferPassResolveFS, this->GetOutputHeader());
+  std::string text = this->Assemble(vtkOITABufferPassResolveFS,
+    this->GetOutputHeader() + (isSecondChance ? "#define OIT_SECOND_CHANCE\n" : ""));
   vtkOITReplace(text, "//VTK::OIT::Registers", vtkOITRegisterResolve(networkSize));
   return text;
 }

@@ -34,13 +34,13 @@ struct vtkOITABufferShaders
   /// The fragment shaders of the other stages.
   ///@{
   std::string GetCount() const;
-  std::string GetResolve(int networkSize) const;
+  std::string GetResolve(int networkSize, bool isSecondChance) const;
   std::string GetSort() const;
   std::string GetComposite() const;
   ///@}
 
-  /// Fragments of a pixel that the sorting networks in registers take, ascending. Powers of two.
-  static constexpr std::array<int, 4> NetworkSizes = { 4, 8, 16, 32 };
+  /// Fragments of a pixel that the sorting networks in registers take, ascending.
+  static constexpr std::array<int, 7> NetworkSizes = { 4, 6, 8, 12, 16, 24, 32 };
 
   /// Nodes of the runs that Sort starts from.
   static constexpr int RunSize = 16;

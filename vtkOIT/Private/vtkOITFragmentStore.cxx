@@ -15,10 +15,22 @@ constexpr std::int64_t BytesPerTexel = 16; // of the pool as a buffer texture, G
 
 // The words before the tiles in the counter buffer: fragments, overflow, two unused.
 constexpr int CounterWords = 4;
+// Words of a tile: depth complexity, left pixels.
+constexpr int TileWords = 2;
 
 constexpr GLsizeiptr GetCounterBytes(int tiles)
 {
-  return static_cast<GLsizeiptr>(sizeof(std::uint32_t)) * (CounterWords + tiles);
+  return static_cast<GLsizeiptr>(sizeof(std::uint32_t)) * (CounterWords + TileWords * tiles);
+}
+
+constexpr GLsizeiptr GetExpectedBytes(int tiles)
+{
+  return static_cast<GLsizeiptr>(sizeof(std::uint32_t)) * tiles;
+}
+
+constexpr std::int64_t GetTileBytes(int tiles)
+{
+  return GetCounterBytes(tiles) + GetExpectedBytes(tiles);
 }
 
 constexpr std::int64_t RoundUp(std::int64_t value, std::int64_t step)
@@ -80,6 +92,12 @@ void vtkOITFragmentStore::ReserveCounters(int tiles)
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
   glBufferData(GL_SHADER_STORAGE_BUFFER, GetCounterBytes(tiles), nullptr, GL_DYNAMIC_READ);
   this->CounterTexture = MakeBufferTexture(GL_R32UI, this->CounterBuffer);
+  glDeleteTextures(1, &this->ExpectedTexture);
+  glDeleteBuffers(1, &this->ExpectedBuffer);
+  glGenBuffers(1, &this->ExpectedBuffer);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->ExpectedBuffer);
+  glBufferData(GL_SHADER_STORAGE_BUFFER, GetExpectedBytes(tiles), nullptr, GL_DYNAMIC_DRAW);
+  this->ExpectedTexture = MakeBufferTexture(GL_R32UI, this->ExpectedBuffer);
 }
 
 //------------------------------------------------------------------------------
@@ -135,7 +153,8 @@ void vtkOITFragmentStore::Begin(const vtkOITRectangle& rectangle)
   const GLuint end = 0;
   glClearTexSubImage(this->Heads, 0, 0, 0, 0, rectangle.Width, rectangle.Height, 1, GL_RED_INTEGER,
     GL_UNSIGNED_INT, &end);
-  const std::vector<std::uint32_t> zeros(CounterWords + this->Grid.GetNumberOfTiles(), 0u);
+  const std::vector<std::uint32_t> zeros(
+    CounterWords + TileWords * this->Grid.GetNumberOfTiles(), 0u);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
   glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, GetCounterBytes(this->Grid.GetNumberOfTiles()),
     zeros.data());
@@ -166,15 +185,28 @@ void vtkOITFragmentStore::SetUniforms(vtkShaderProgram* program) const
 vtkOITFragmentStore::Counters vtkOITFragmentStore::ReadCounters() const
 {
   const int tiles = this->Grid.GetNumberOfTiles();
-  std::vector<std::uint32_t> words(CounterWords + tiles);
+  std::vector<std::uint32_t> words(CounterWords + TileWords * tiles);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
   glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, GetCounterBytes(tiles), words.data());
   Counters counters;
   counters.FragmentCount = words[0];
   counters.Overflow = words[1];
-  counters.Tiles.assign(words.begin() + CounterWords, words.end());
+  counters.Tiles.reserve(tiles);
+  for (std::size_t i = CounterWords; i < words.size(); i += TileWords)
+  {
+    counters.Tiles.push_back(words[i]);
+    counters.HasLeftPixels = counters.HasLeftPixels || words[i + 1] != 0;
+  }
   return counters;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITFragmentStore::SetExpected(const std::vector<std::uint32_t>& tiles)
+{
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->ExpectedBuffer);
+  glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, GetExpectedBytes(static_cast<int>(tiles.size())),
+    tiles.data());
 }
 
 //------------------------------------------------------------------------------
@@ -182,20 +214,25 @@ void vtkOITFragmentStore::BindTiles(vtkOpenGLState* state, int textureUnit) cons
 {
   state->vtkglActiveTexture(GL_TEXTURE0 + textureUnit);
   glBindTexture(GL_TEXTURE_BUFFER, this->CounterTexture);
+  state->vtkglActiveTexture(GL_TEXTURE0 + textureUnit + 1);
+  glBindTexture(GL_TEXTURE_BUFFER, this->ExpectedTexture);
 }
 
 //------------------------------------------------------------------------------
 void vtkOITFragmentStore::UnbindTiles(vtkOpenGLState* state, int textureUnit) const
 {
-  state->vtkglActiveTexture(GL_TEXTURE0 + textureUnit);
-  glBindTexture(GL_TEXTURE_BUFFER, 0);
+  for (int unit = textureUnit; unit < textureUnit + 2; ++unit)
+  {
+    state->vtkglActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_BUFFER, 0);
+  }
 }
 
 //------------------------------------------------------------------------------
 std::int64_t vtkOITFragmentStore::GetSizeInBytes() const
 {
   return this->PoolBytes + INT64_C(4) * this->Width * this->Height +
-    (this->CounterBuffer ? GetCounterBytes(this->TileCapacity) : 0);
+    (this->CounterBuffer ? GetTileBytes(this->TileCapacity) : 0);
 }
 
 //------------------------------------------------------------------------------
@@ -203,7 +240,7 @@ std::int64_t vtkOITFragmentStore::GetFixedBytes(const vtkOITRectangle& rectangle
 {
   constexpr int size = vtkOITTileGrid::TileSize;
   const int tiles = (rectangle.Width / size + 2) * (rectangle.Height / size + 2);
-  return 4 * rectangle.GetArea() + GetCounterBytes(tiles);
+  return 4 * rectangle.GetArea() + GetTileBytes(tiles);
 }
 
 //------------------------------------------------------------------------------
@@ -212,14 +249,17 @@ void vtkOITFragmentStore::Delete()
   glDeleteTextures(1, &this->Heads);
   glDeleteTextures(1, &this->PoolTexture);
   glDeleteTextures(1, &this->CounterTexture);
+  glDeleteTextures(1, &this->ExpectedTexture);
   glDeleteBuffers(1, &this->Pool);
   glDeleteBuffers(1, &this->CounterBuffer);
+  glDeleteBuffers(1, &this->ExpectedBuffer);
 }
 
 //------------------------------------------------------------------------------
 void vtkOITFragmentStore::Forget()
 {
   this->Heads = this->Pool = this->PoolTexture = this->CounterBuffer = this->CounterTexture = 0;
+  this->ExpectedBuffer = this->ExpectedTexture = 0;
   this->TileCapacity = 0;
   this->Width = this->Height = 0;
   this->PoolBytes = this->Nodes = 0;

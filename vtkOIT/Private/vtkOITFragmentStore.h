@@ -52,8 +52,10 @@ public:
   {
     std::uint32_t FragmentCount = 0;
     std::uint32_t Overflow = 0;
-    /// Largest number of fragments of a pixel, for each tile; without the mark of ties.
+    /// Largest number of fragments of a pixel, for each tile.
     std::vector<std::uint32_t> Tiles;
+    /// Some pixels were left by Resolve.
+    bool HasLeftPixels = false;
   };
 
   /// Makes room for the rectangle's heads and for at least `fragments` fragments, as far as the
@@ -76,7 +78,11 @@ public:
   const vtkOITRectangle& GetRectangle() const { return this->Rectangle; }
   const vtkOITTileGrid& GetTileGrid() const { return this->Grid; }
 
-  /// Binds the counters as a buffer texture of 32-bit integers; the tiles begin at texel 4.
+  /// The depth complexity that is expected of the current rectangle's tiles.
+  void SetExpected(const std::vector<std::uint32_t>& tiles);
+
+  /// Binds counters and expected depth complexity as buffer textures of 32-bit integers, to
+  /// `textureUnit` and the next one.
   void BindTiles(vtkOpenGLState* state, int textureUnit) const;
   void UnbindTiles(vtkOpenGLState* state, int textureUnit) const;
 
@@ -109,6 +115,8 @@ private:
   GLuint PoolTexture = 0;
   GLuint CounterBuffer = 0;
   GLuint CounterTexture = 0;
+  GLuint ExpectedBuffer = 0;
+  GLuint ExpectedTexture = 0;
   int TileCapacity = 0;
   vtkOITRectangle Rectangle;
   vtkOITTileGrid Grid;

@@ -7,7 +7,9 @@
 
 namespace
 {
-/// Batcher's odd-even merge sort, as compare-exchanges of registers. `size` is a power of two.
+/// Batcher's odd-even merge sort, as compare-exchanges of registers. For sizes that are no power of
+/// two it is the network of the next one without the exchanges beyond the size, where nothing that
+/// sorts before could be.
 void WriteSortingNetwork(std::ostream& os, int size)
 {
   for (int p = 1; p < size; p *= 2)

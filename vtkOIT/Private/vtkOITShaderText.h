@@ -26,12 +26,12 @@ bool vtkOITWritesDepth(const std::string& fragmentShader);
 
 /**
  * The text `//VTK::OIT::Registers` of vtkOITABufferPassResolveFS.glsl: loads, sorts and blends up
- * to `size` fragments, a power of two, in registers.
+ * to `size` fragments in registers.
  */
 std::string vtkOITRegisterResolve(int size);
 
 /// The text `//VTK::OIT::SortRun` of vtkOITABufferPassSortFS.glsl: loads, sorts and links `size`
-/// nodes, a power of two.
+/// nodes.
 std::string vtkOITRegisterSort(int size);
 
 #endif

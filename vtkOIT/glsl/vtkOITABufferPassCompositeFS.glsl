@@ -34,17 +34,15 @@ void main()
 {
   uint node = imageLoad(oitHeads, ivec2(gl_FragCoord.xy) - oitOrigin).x;
 #if OIT_SAMPLES > 0
-  if (node == OIT_END)
-  {
-    discard;
-  }
+  bool isMine = node != OIT_END;
 #else
-  if (!oitIsLeftOver(node))
+  bool isMine = (node & OIT_LEFT) != 0u;
+  node &= ~OIT_LEFT;
+#endif
+  if (!isMine)
   {
     discard;
   }
-  node &= ~OIT_TIED;
-#endif
 
   vec3 color = vec3(0.0);
   float transmittance = 1.0;

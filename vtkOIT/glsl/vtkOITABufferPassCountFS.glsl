@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Depth complexity: walks each list once and notes the tile's longest, so that Resolve can give
-// every tile the smallest sorting network that will do.
+// Depth complexity: walks each list once and notes the tile's longest. For frames that have no
+// frame before them to tell it, and for multisampling, where Sort must know the longest list.
 
 //VTK::OIT::Node
 
@@ -16,11 +16,11 @@ void main()
   {
     for (; node != OIT_END; ++count)
     {
-      node = oitLoad(OIT_WORD(node)).w;
+      node = oitLoadNext(OIT_WORD(node));
     }
   }
   if (count > 0u)
   {
-    atomicMax(oitTiles[oitFindTile()], count);
+    atomicMax(oitTiles[oitFindTile()].x, count);
   }
 }

@@ -16,7 +16,7 @@
 // Node 0 is never used: llvmpipe gives 0 to pixels of a block that are not covered but run along,
 // and a walk over a list must end for them, too.
 const uint OIT_END = 0u;
-const uint OIT_TIED = 0x80000000u;   // bit of a head or a tile: Resolve met coincident fragments
+const uint OIT_LEFT = 0x80000000u;   // bit of a head: Resolve could not do this pixel
 const uint OIT_NO_KEY = 0xffffffffu; // sorts behind every depth
 
 #ifdef OIT_FLOAT_COLOR
@@ -32,7 +32,7 @@ layout(std430, binding = 0) buffer OITCounters
   uint oitFragmentCount; // goes on counting beyond the capacity: the size that is needed
   uint oitOverflow;      // set once the capacity is passed, stays when the count wraps
   uint oitUnused[2];
-  uint oitTiles[]; // largest number of fragments of a pixel of the tile, and OIT_TIED
+  uvec2 oitTiles[]; // x: largest number of fragments of a pixel, y: not 0 when pixels were left
 };
 
 uniform int oitCapacity; // nodes, the unused one included
@@ -51,6 +51,7 @@ int oitFindTile()
 #ifdef OIT_NODES_IN_IMAGE
 layout(binding = 1, rgba32ui) uniform uimageBuffer oitNodes;
 uvec4 oitLoad(uint word) { return imageLoad(oitNodes, int(word)); }
+uint oitLoadNext(uint word) { return imageLoad(oitNodes, int(word)).w; }
 void oitStore(uint word, uvec4 value) { imageStore(oitNodes, int(word), value); }
 void oitStoreNext(uint word, uint next)
 {
@@ -63,9 +64,14 @@ layout(std430, binding = 1) buffer OITNodes
 {
   uvec4 oitNodes[];
 };
+layout(std430, binding = 1) buffer OITNodeWords // the same memory: llvmpipe loads all of a vector
+{
+  uint oitNodeWords[];
+};
 uvec4 oitLoad(uint word) { return oitNodes[word]; }
 void oitStore(uint word, uvec4 value) { oitNodes[word] = value; }
-void oitStoreNext(uint word, uint next) { oitNodes[word].w = next; }
+uint oitLoadNext(uint word) { return oitNodeWords[4u * word + 3u]; }
+void oitStoreNext(uint word, uint next) { oitNodeWords[4u * word + 3u] = next; }
 #endif
 
 #ifdef OIT_WIDE_NODES

@@ -25,13 +25,3 @@ OITFragment oitRead(uint node)
   return OITFragment(word.x, 0u, word.yz, word.w);
 #endif
 }
-
-#if OIT_SAMPLES == 0
-// Pixels that Resolve did not do: more fragments than its largest network takes, or coincident ones.
-bool oitIsLeftOver(uint head)
-{
-  uint info = oitTiles[oitFindTile()];
-  bool isDeep = (info & ~OIT_TIED) > uint(OIT_LARGEST_NETWORK);
-  return head != OIT_END && (isDeep || (head & OIT_TIED) != 0u);
-}
-#endif

@@ -89,7 +89,7 @@ uint oitMergeRuns(uint head, uint width, out uint merges)
     uint firstSize = 0u;
     while (firstSize < width && second != OIT_END)
     {
-      second = oitLoad(OIT_WORD(second)).w;
+      second = oitLoadNext(OIT_WORD(second));
       ++firstSize;
     }
     uint secondSize = second == OIT_END ? 0u : width;
@@ -142,19 +142,17 @@ void main()
   ivec2 pixel = ivec2(gl_FragCoord.xy) - oitOrigin;
   uint head = imageLoad(oitHeads, pixel).x;
 #if OIT_SAMPLES > 0
-  if (head == OIT_END)
-  {
-    discard;
-  }
   uint mark = 0u;
+  bool isMine = head != OIT_END;
 #else
-  if (!oitIsLeftOver(head))
+  uint mark = OIT_LEFT;
+  bool isMine = (head & OIT_LEFT) != 0u;
+#endif
+  if (!isMine)
   {
     discard;
   }
-  uint mark = head & OIT_TIED;
-  head &= ~OIT_TIED;
-#endif
+  head &= ~mark;
   uint merges = 2u;
   if (oitFirstWidth == OIT_RUN_SIZE)
   {

@@ -2,24 +2,28 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Two triangles for each tile whose depth complexity is in oitTileClass; other tiles vanish. The
-// viewport is the tile grid. llvmpipe runs every branch of a fragment shader, so a shader that
-// only some pixels need must not be started elsewhere.
+// Two triangles for each tile that the stage is for; other tiles vanish. The viewport is the tile
+// grid. llvmpipe runs every branch of a fragment shader for every pixel, so a shader that only some
+// pixels need must not be started elsewhere.
 
-uniform usamplerBuffer oitTileTexels; // OITCounters as a texture, four words before the tiles
-uniform ivec2 oitTileDimensions;      // columns, rows
-uniform ivec2 oitTileClass;           // smallest and largest depth complexity
-uniform int oitTiedTiles;             // 1: also tiles with coincident fragments
+uniform usamplerBuffer oitTileTexels;     // OITCounters as a texture: four words, then two a tile
+uniform usamplerBuffer oitExpectedTexels; // depth complexity that is expected of each tile
+uniform ivec2 oitTileDimensions;          // columns, rows
+uniform ivec2 oitTileClass; // smallest and largest expected depth complexity; -1: tiles with
+                            // pixels that were left
 
 void main()
 {
   int tile = gl_VertexID / 6;
   int corner = gl_VertexID - 6 * tile;
-  uint info = texelFetch(oitTileTexels, 4 + tile).x;
-  int count = int(info & 0x7fffffffu);
-  bool isTied = (info & 0x80000000u) != 0u;
-  bool isInClass = oitTileClass.x <= count && count <= oitTileClass.y;
-  if (!isInClass && !(isTied && oitTiedTiles == 1))
+  int expected = int(texelFetch(oitExpectedTexels, tile).x);
+  bool isMine = oitTileClass.x <= expected && expected <= oitTileClass.y;
+  if (oitTileClass.x < 0)
+  {
+    isMine = texelFetch(oitTileTexels, 5 + 2 * tile).x != 0u;
+  }
+  bool hasOverflown = texelFetch(oitTileTexels, 1).x != 0u; // the frame will be rendered again
+  if (!isMine || hasOverflown)
   {
     gl_Position = vec4(-2.0, -2.0, 0.0, 1.0);
     return;
