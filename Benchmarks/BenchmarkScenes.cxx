@@ -39,12 +39,12 @@ void SetRainbow(double t, double color[3])
   }
 }
 
-// 127 k triangles, about 4 fragments a covered pixel.
+// 127 k triangles, about 4 fragments a pixel of the window.
 void FillSpheres(vtkRenderer* renderer)
 {
   constexpr int count = 16;
   std::mt19937 generator(7);
-  std::uniform_real_distribution<double> position(-1.0, 1.0);
+  std::uniform_real_distribution<double> position(-0.5, 0.5);
   for (int i = 0; i < count; ++i)
   {
     vtkNew<vtkSphereSource> sphere;

@@ -4,7 +4,6 @@
 
 #include "vtkOITFrame.h"
 
-#include "vtkOITABufferPassTileVS.h"
 #include "vtkOITFullScreenVS.h"
 
 #include "vtkOpenGLState.h"
@@ -20,7 +19,8 @@ constexpr int TileUnit = 13;
 
 // Classes of tiles, as in vtkOITABufferPassTileVS.glsl.
 constexpr std::array<int, 2> AllTiles = { 0, std::numeric_limits<int>::max() };
-constexpr std::array<int, 2> TilesWithLeftPixels = { -1, -1 };
+constexpr std::array<int, 2> TilesToTryAgain = { -1, vtkOITFragmentStore::TryAgain };
+constexpr std::array<int, 2> TilesWithLists = { -1, vtkOITFragmentStore::HasLists };
 
 constexpr GLbitfield Barriers =
   GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT;
@@ -82,22 +82,33 @@ vtkOITFragmentStore::Counters vtkOITABufferResolver::Resolve(
     this->DepthComplexity.Update(store.GetTileGrid(), counters.Tiles);
   }
 
+  const std::vector<std::uint32_t> expected =
+    this->DepthComplexity.GetExpected(store.GetTileGrid());
+  store.SetExpected(expected);
   this->PrepareOutput(frame, store);
-  if (!isMultisampled)
+  if (isMultisampled)
   {
-    this->DrawExpected(frame, store);
+    this->DrawLists(frame, store, counters, AllTiles);
+  }
+  else
+  {
+    this->DrawExpected(frame, store, expected);
     counters = store.ReadCounters();
+    if (!counters.Overflow && counters.Marks != 0)
+    {
+      this->DrawTiles(this->SecondChanceStage, frame, store, TilesToTryAgain, [this] {
+        return this->Shaders.GetResolve(vtkOITABufferShaders::NetworkSizes.back(), true);
+      });
+      counters = store.ReadCounters();
+      if (counters.Marks & vtkOITFragmentStore::HasLists)
+      {
+        this->DrawLists(frame, store, counters, TilesWithLists);
+      }
+    }
     if (!counters.Overflow)
     {
       this->DepthComplexity.Update(store.GetTileGrid(), counters.Tiles);
     }
-  }
-  if (!counters.Overflow && (isMultisampled || counters.HasLeftPixels))
-  {
-    const std::uint32_t longest =
-      *std::max_element(counters.Tiles.begin(), counters.Tiles.end());
-    this->DrawLists(frame, store, static_cast<int>(longest),
-      isMultisampled ? AllTiles : TilesWithLeftPixels);
   }
   store.UnbindTiles(frame.GLState, TileUnit);
   return counters;
@@ -138,11 +149,9 @@ void vtkOITABufferResolver::PrepareOutput(
 }
 
 //------------------------------------------------------------------------------
-void vtkOITABufferResolver::DrawExpected(const vtkOITFrame& frame, vtkOITFragmentStore& store)
+void vtkOITABufferResolver::DrawExpected(const vtkOITFrame& frame,
+  const vtkOITFragmentStore& store, const std::vector<std::uint32_t>& expected)
 {
-  const std::vector<std::uint32_t> expected =
-    this->DepthComplexity.GetExpected(store.GetTileGrid());
-  store.SetExpected(expected);
   int smallest = 0;
   for (std::size_t i = 0; i < this->ResolveStages.size(); ++i)
   {
@@ -163,23 +172,17 @@ void vtkOITABufferResolver::DrawExpected(const vtkOITFrame& frame, vtkOITFragmen
 
 //------------------------------------------------------------------------------
 void vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
-  int longest, const std::array<int, 2>& tileClass)
+  const vtkOITFragmentStore::Counters& counters, const std::array<int, 2>& tileClass)
 {
+  const std::uint32_t longest = *std::max_element(counters.Tiles.begin(), counters.Tiles.end());
   if (longest == 0)
   {
     return;
   }
   glMemoryBarrier(Barriers);
-  if (this->Shaders.Samples == 0)
-  {
-    this->DrawTiles(this->SecondChanceStage, frame, store, tileClass, [this] {
-      return this->Shaders.GetResolve(vtkOITABufferShaders::NetworkSizes.back(), true);
-    });
-    glMemoryBarrier(Barriers);
-  }
   vtkOpenGLState* state = frame.GLState;
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE); // Sort has no output
-  for (const auto& widths : PlanSort(longest))
+  for (const auto& widths : PlanSort(static_cast<int>(longest)))
   {
     this->DrawTiles(
       this->SortStage, frame, store, tileClass, [this] { return this->Shaders.GetSort(); },
@@ -213,6 +216,7 @@ void vtkOITABufferResolver::DrawTiles(vtkOITScreenStage& stage, const vtkOITFram
       setMore(program);
     }
   };
-  stage.Render(frame.Window, vtkOITABufferPassTileVS, getFragmentShader, setUniforms,
+  static const std::string vertexShader = vtkOITABufferShaders::GetTileVertexShader();
+  stage.Render(frame.Window, vertexShader.c_str(), getFragmentShader, setUniforms,
     2 * grid.GetNumberOfTiles());
 }

@@ -18,9 +18,9 @@ class vtkShaderProgram;
  *
  * 1. Each tile is drawn with the smallest sorting network that takes the depth complexity it had
  *    in the last frame. Without a last frame, Count finds the depth complexity.
- * 2. Counters and tiles are read back: the only time that the pass waits for the GPU.
- * 3. Pixels that were left, if any, get a second chance with the largest network; longer lists and
- *    coincident fragments are sorted and composited.
+ * 2. Counters and tiles are read back: normally the only time that the pass waits for the GPU.
+ * 3. Tiles with pixels that were left, if any, get a second chance with the largest network;
+ *    longer lists and coincident fragments are sorted and composited.
  *
  * Multisampled framebuffers: Count, then all lists are sorted and composited once a sample.
  */
@@ -43,9 +43,10 @@ public:
 private:
   vtkOITFragmentStore::Counters Count(const vtkOITFrame& frame, const vtkOITFragmentStore& store);
   void PrepareOutput(const vtkOITFrame& frame, const vtkOITFragmentStore& store) const;
-  void DrawExpected(const vtkOITFrame& frame, vtkOITFragmentStore& store);
-  void DrawLists(const vtkOITFrame& frame, const vtkOITFragmentStore& store, int longest,
-    const std::array<int, 2>& tileClass);
+  void DrawExpected(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
+    const std::vector<std::uint32_t>& expected);
+  void DrawLists(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
+    const vtkOITFragmentStore::Counters& counters, const std::array<int, 2>& tileClass);
   void DrawTiles(vtkOITScreenStage& stage, const vtkOITFrame& frame,
     const vtkOITFragmentStore& store, const std::array<int, 2>& tileClass,
     const std::function<std::string()>& getFragmentShader,

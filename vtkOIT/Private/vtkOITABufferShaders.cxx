@@ -12,6 +12,7 @@
 #include "vtkOITABufferPassReadFS.h"
 #include "vtkOITABufferPassResolveFS.h"
 #include "vtkOITABufferPassSortFS.h"
+#include "vtkOITABufferPassTileVS.h"
 
 #include <tuple>
 
@@ -94,6 +95,21 @@ std::string vtkOITABufferShaders::Assemble(const char* stage, const std::string&
   vtkOITReplace(text, "//VTK::OIT::Node", vtkOITABufferPassNodeFS);
   vtkOITReplace(text, "//VTK::OIT::Read", vtkOITABufferPassReadFS);
   vtkOITReplace(text, "//VTK::OIT::Output", vtkOITABufferPassOutputFS);
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITABufferShaders::GetTileVertexShader()
+{
+  std::string sizes;
+  for (int size : NetworkSizes)
+  {
+    sizes += (sizes.empty() ? "" : ", ") + std::to_string(size);
+  }
+  std::string text = vtkOITABufferPassTileVS;
+  vtkOITReplace(text, "//VTK::System::Dec",
+    "//VTK::System::Dec\n#define OIT_NETWORK_COUNT " + std::to_string(NetworkSizes.size()) +
+      "\n#define OIT_NETWORK_SIZES " + sizes + "\n");
   return text;
 }
 

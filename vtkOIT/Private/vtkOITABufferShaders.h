@@ -31,8 +31,9 @@ struct vtkOITABufferShaders
   /// Changes a mapper's fragment shader into the Gather stage. False when it has no main().
   bool WrapGather(std::string& fragmentShader) const;
 
-  /// The fragment shaders of the other stages.
+  /// The vertex shader of stages that draw tiles, and the fragment shaders of all.
   ///@{
+  static std::string GetTileVertexShader();
   std::string GetCount() const;
   std::string GetResolve(int networkSize, bool isSecondChance) const;
   std::string GetSort() const;

@@ -15,7 +15,7 @@ constexpr std::int64_t BytesPerTexel = 16; // of the pool as a buffer texture, G
 
 // The words before the tiles in the counter buffer: fragments, overflow, two unused.
 constexpr int CounterWords = 4;
-// Words of a tile: depth complexity, left pixels.
+// Words of a tile: depth complexity or marks; depth complexity of marked tiles.
 constexpr int TileWords = 2;
 
 constexpr GLsizeiptr GetCounterBytes(int tiles)
@@ -195,8 +195,9 @@ vtkOITFragmentStore::Counters vtkOITFragmentStore::ReadCounters() const
   counters.Tiles.reserve(tiles);
   for (std::size_t i = CounterWords; i < words.size(); i += TileWords)
   {
-    counters.Tiles.push_back(words[i]);
-    counters.HasLeftPixels = counters.HasLeftPixels || words[i + 1] != 0;
+    const std::uint32_t marks = words[i] & (TryAgain | HasLists);
+    counters.Tiles.push_back(marks ? words[i + 1] : words[i]);
+    counters.Marks |= marks;
   }
   return counters;
 }

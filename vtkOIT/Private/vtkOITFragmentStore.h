@@ -52,11 +52,16 @@ public:
   {
     std::uint32_t FragmentCount = 0;
     std::uint32_t Overflow = 0;
-    /// Largest number of fragments of a pixel, for each tile.
+    /// Largest number of fragments of a pixel, for each tile. In tiles with a mark it is known
+    /// only after the second chance.
     std::vector<std::uint32_t> Tiles;
-    /// Some pixels were left by Resolve.
-    bool HasLeftPixels = false;
+    /// All marks of tiles: TryAgain, HasLists.
+    std::uint32_t Marks = 0;
   };
+
+  /// Marks of tiles, as in glsl/vtkOITABufferPassNodeFS.glsl.
+  static constexpr std::uint32_t TryAgain = 0x20000000u;
+  static constexpr std::uint32_t HasLists = 0x40000000u;
 
   /// Makes room for the rectangle's heads and for at least `fragments` fragments, as far as the
   /// context has the memory and the pool stays within `maximumPoolBytes`: see GetCapacity(). What

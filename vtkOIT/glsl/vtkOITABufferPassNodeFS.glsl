@@ -16,7 +16,7 @@
 // Node 0 is never used: llvmpipe gives 0 to pixels of a block that are not covered but run along,
 // and a walk over a list must end for them, too.
 const uint OIT_END = 0u;
-const uint OIT_LEFT = 0x80000000u;   // bit of a head: Resolve could not do this pixel
+const uint OIT_LEFT = 0x80000000u;   // bit of a head: the pixel is left for Sort and Composite
 const uint OIT_NO_KEY = 0xffffffffu; // sorts behind every depth
 
 #ifdef OIT_FLOAT_COLOR
@@ -32,8 +32,10 @@ layout(std430, binding = 0) buffer OITCounters
   uint oitFragmentCount; // goes on counting beyond the capacity: the size that is needed
   uint oitOverflow;      // set once the capacity is passed, stays when the count wraps
   uint oitUnused[2];
-  uvec2 oitTiles[]; // x: largest number of fragments of a pixel, y: not 0 when pixels were left
+  uvec2 oitTiles[]; // x: largest number of fragments of a pixel, or marks; then y: that number
 };
+const uint OIT_TRY_AGAIN = 0x20000000u;  // tile: some pixels need a second chance
+const uint OIT_HAS_LISTS = 0x40000000u;  // tile: some pixels are left for Sort and Composite
 
 uniform int oitCapacity; // nodes, the unused one included
 uniform ivec2 oitOrigin; // framebuffer pixel of oitHeads' texel (0, 0)

@@ -8,8 +8,8 @@
 // T -= T alpha. The text of the network is generated, for OIT_NETWORK_SIZE fragments.
 //
 // Each tile is drawn with the network that the last frame lets expect. Pixels that have more
-// fragments, or coincident ones, are left alone and marked. The largest network then tries again
-// (OIT_SECOND_CHANCE), and what is still marked is for Sort and Composite.
+// fragments, or coincident ones, are left alone and their tile is marked. The largest network then
+// tries again (OIT_SECOND_CHANCE), and marks what is left for Sort and Composite.
 
 //VTK::OIT::Node
 //VTK::OIT::Read
@@ -48,16 +48,32 @@
     transmittance -= w;                                                                            \
   }
 
+#ifdef OIT_SECOND_CHANCE
+flat in int oitNetworkSize; // of the first try
+#else
+// One pixel of four notes the largest number of fragments: atomics are slow on a CPU.
+void oitNote(uint count, bool isLeft)
+{
+  float value = isLeft ? 64.0 : float(count); // above all networks
+  ivec2 odd = ivec2(gl_FragCoord.xy) & 1;
+  float dx = dFdx(value);
+  value = max(value, odd.x == 0 ? value + dx : value - dx);
+  float dy = dFdy(value);
+  value = max(value, odd.y == 0 ? value + dy : value - dy);
+  // At the lower and left edge of the rectangle, the even neighbour may be outside.
+  bvec2 isEdge = equal(ivec2(gl_FragCoord.xy), oitOrigin);
+  if (value > 0.0 && (odd.x == 0 || isEdge.x) && (odd.y == 0 || isEdge.y))
+  {
+    atomicMax(oitTiles[oitFindTile()].x, value < 64.0 ? uint(value) : OIT_TRY_AGAIN);
+  }
+}
+#endif
+
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy) - oitOrigin;
   uint head = imageLoad(oitHeads, pixel).x;
-#ifdef OIT_SECOND_CHANCE
-  uint node = (head & OIT_LEFT) != 0u ? head & ~OIT_LEFT : OIT_END;
-#else
   uint node = head;
-#endif
-  bool isEmpty = node == OIT_END;
   uint count = 0u;
   vec3 color = vec3(0.0);
   float transmittance = 1.0;
@@ -65,26 +81,22 @@ void main()
   //VTK::OIT::Registers
   bool isLeft = isTied || node != OIT_END;
 #ifdef OIT_SECOND_CHANCE
-  if (!isEmpty && !isLeft)
-  {
-    imageStore(oitHeads, pixel, uvec4(head & ~OIT_LEFT));
-  }
-#else
   for (; node != OIT_END; ++count)
   {
     node = oitLoadNext(OIT_WORD(node));
   }
+  atomicMax(oitTiles[oitFindTile()].y, count);
   if (isLeft)
   {
     imageStore(oitHeads, pixel, uvec4(head | OIT_LEFT));
-    oitTiles[oitFindTile()].y = 1u;
+    atomicOr(oitTiles[oitFindTile()].x, OIT_HAS_LISTS);
   }
-  if (!isEmpty)
-  {
-    atomicMax(oitTiles[oitFindTile()].x, count);
-  }
+  bool isMine = (isTied || count > uint(oitNetworkSize)) && !isLeft;
+#else
+  oitNote(count, isLeft);
+  bool isMine = head != OIT_END && !isLeft;
 #endif
-  if (isEmpty || isLeft)
+  if (!isMine)
   {
     discard;
   }

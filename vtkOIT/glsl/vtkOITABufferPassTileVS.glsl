@@ -9,18 +9,30 @@
 uniform usamplerBuffer oitTileTexels;     // OITCounters as a texture: four words, then two a tile
 uniform usamplerBuffer oitExpectedTexels; // depth complexity that is expected of each tile
 uniform ivec2 oitTileDimensions;          // columns, rows
-uniform ivec2 oitTileClass; // smallest and largest expected depth complexity; -1: tiles with
-                            // pixels that were left
+uniform ivec2 oitTileClass; // smallest and largest expected depth complexity; or -1 and the mark
+flat out int oitNetworkSize; // of the first try
+
+int oitFindNetworkSize(int expected)
+{
+  int sizes[OIT_NETWORK_COUNT] = int[OIT_NETWORK_COUNT](OIT_NETWORK_SIZES);
+  int i = 0;
+  while (i + 1 < OIT_NETWORK_COUNT && sizes[i] < expected)
+  {
+    ++i;
+  }
+  return sizes[i];
+}
 
 void main()
 {
   int tile = gl_VertexID / 6;
   int corner = gl_VertexID - 6 * tile;
   int expected = int(texelFetch(oitExpectedTexels, tile).x);
+  oitNetworkSize = oitFindNetworkSize(expected);
   bool isMine = oitTileClass.x <= expected && expected <= oitTileClass.y;
   if (oitTileClass.x < 0)
   {
-    isMine = texelFetch(oitTileTexels, 5 + 2 * tile).x != 0u;
+    isMine = (texelFetch(oitTileTexels, 4 + 2 * tile).x & uint(oitTileClass.y)) != 0u;
   }
   bool hasOverflown = texelFetch(oitTileTexels, 1).x != 0u; // the frame will be rendered again
   if (!isMine || hasOverflown)
