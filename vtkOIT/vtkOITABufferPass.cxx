@@ -36,6 +36,7 @@ class vtkOITABufferPass::Internals
 {
 public:
   void ChooseShaders(const vtkOITFrame& frame, bool floatColor);
+  void ChooseCapture(const vtkOITFrame& frame, vtkTypeInt64 maximumBytes);
   void Begin(const vtkOITFrame& frame);
   vtkOITFragmentStore::Counters Resolve(const vtkOITFrame& frame);
   std::int64_t GetLargestPool(const vtkOITFrame& frame, std::int64_t maximumBytes) const;
@@ -50,6 +51,7 @@ public:
   vtkOITRectangle Band;
   const vtkOITFrame* Frame = nullptr;
   bool HasDepthCopy = false;
+  bool HeadInTarget = false; // list heads by framebuffer fetch instead of image atomics
 };
 
 //------------------------------------------------------------------------------
@@ -95,6 +97,7 @@ void vtkOITABufferPass::Internals::ChooseShaders(const vtkOITFrame& frame, bool 
   shaders.FramebufferFetch = frame.Capabilities->FramebufferFetch && frame.Target.CoarseColor &&
     frame.Target.Samples == 0;
   shaders.PostDepthCoverage = frame.Capabilities->PostDepthCoverage;
+  shaders.HeadInTarget = this->HeadInTarget;
   if (shaders != this->Shaders || this->ShaderTime.GetMTime() == 0)
   {
     this->Shaders = shaders;
@@ -138,6 +141,7 @@ void vtkOITABufferPass::RenderTranslucent(vtkOITFrame& frame)
       impl.DepthCopy.Release();
     }
   }
+  impl.ChooseCapture(frame, this->MaximumBufferSize);
   impl.Bands.Begin(frame.Rectangle, largestBand);
   while (impl.Bands.GetNext(impl.Band))
   {
@@ -201,14 +205,30 @@ vtkTypeInt64 vtkOITABufferPass::RenderBand(vtkOITFrame& frame)
 }
 
 //------------------------------------------------------------------------------
+// Framebuffer fetch saves an atomic a fragment, and leaves all depth tests to the hardware. Its
+// heads cover the framebuffer, so it is not for limited memory.
+void vtkOITABufferPass::Internals::ChooseCapture(
+  const vtkOITFrame& frame, vtkTypeInt64 maximumBytes)
+{
+  this->HeadInTarget = frame.Capabilities->FramebufferFetch && frame.Target.Samples == 0 &&
+    frame.Target.Framebuffer != 0 && frame.Target.DepthBits > 0 && maximumBytes == 0;
+  this->Store.SetWholeFramebuffer(this->HeadInTarget);
+}
+
+//------------------------------------------------------------------------------
 void vtkOITABufferPass::Internals::Begin(const vtkOITFrame& frame)
 {
   this->HasDepthCopy = false;
   this->Store.Begin(this->Band);
   vtkOpenGLState* state = frame.GLState;
   state->vtkglScissor(this->Band.X, this->Band.Y, this->Band.Width, this->Band.Height);
-  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  const GLboolean writesHeads = this->HeadInTarget ? GL_TRUE : GL_FALSE;
+  state->vtkglColorMask(writesHeads, writesHeads, writesHeads, writesHeads);
   state->vtkglDepthMask(GL_FALSE);
+  if (this->HeadInTarget)
+  {
+    this->Store.BindHeadFramebuffer(state);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -218,6 +238,10 @@ vtkOITFragmentStore::Counters vtkOITABufferPass::Internals::Resolve(const vtkOIT
   if (this->HasDepthCopy)
   {
     this->DepthCopy.Unbind(frame.GLState, DepthUnit);
+  }
+  if (this->HeadInTarget)
+  {
+    frame.GLState->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame.Target.Framebuffer);
   }
   const vtkOITSavedState saved(frame.GLState, false); // the next band starts from it
   frame.GLState->vtkglDisable(GL_DEPTH_TEST);

@@ -118,6 +118,7 @@ vtkOITFragmentStore::Counters vtkOITABufferResolver::Resolve(
 vtkOITFragmentStore::Counters vtkOITABufferResolver::Count(
   const vtkOITFrame& frame, const vtkOITFragmentStore& store)
 {
+  frame.GLState->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE); // it has no output
   this->CountStage.Render(
     frame.Window, vtkOITFullScreenVS, [this] { return this->Shaders.GetCount(); },
     [&store](vtkShaderProgram* program) { store.SetUniforms(program); });

@@ -21,7 +21,8 @@ bool vtkOITABufferShaders::operator==(const vtkOITABufferShaders& other) const
 {
   const auto tie = [](const vtkOITABufferShaders& s) {
     return std::tie(
-      s.Samples, s.FloatColor, s.NodesInImage, s.FramebufferFetch, s.PostDepthCoverage);
+      s.Samples, s.FloatColor, s.NodesInImage, s.FramebufferFetch, s.PostDepthCoverage,
+      s.HeadInTarget);
   };
   return tie(*this) == tie(other);
 }
@@ -54,7 +55,12 @@ bool vtkOITABufferShaders::WrapGather(std::string& fragmentShader) const
   {
     header += "#define OIT_WRITES_DEPTH\n";
   }
-  if (writesDepth || this->NeedsDepthTest())
+  if (this->HeadInTarget)
+  {
+    header = vtkOITRequireExtensions({ "GL_EXT_shader_framebuffer_fetch" }) + header +
+      "#define OIT_HEAD_IN_TARGET\n";
+  }
+  else if (writesDepth || this->NeedsDepthTest())
   {
     header += "#define OIT_TEST_DEPTH\n";
   }

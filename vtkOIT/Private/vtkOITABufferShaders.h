@@ -17,6 +17,7 @@ struct vtkOITABufferShaders
   bool NodesInImage = false;
   bool FramebufferFetch = false;
   bool PostDepthCoverage = false;
+  bool HeadInTarget = false;
 
   bool operator==(const vtkOITABufferShaders& other) const;
   bool operator!=(const vtkOITABufferShaders& other) const { return !(*this == other); }

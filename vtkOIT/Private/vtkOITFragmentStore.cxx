@@ -67,7 +67,8 @@ void vtkOITFragmentStore::Reserve(vtkOpenGLRenderWindow* window,
 {
   this->Attach(window);
   this->ReserveCounters(vtkOITTileGrid(rectangle).GetNumberOfTiles());
-  this->ReserveHeads(rectangle.Width, rectangle.Height);
+  this->ReserveHeads(rectangle.Width + (this->WholeFramebuffer ? rectangle.X : 0),
+    rectangle.Height + (this->WholeFramebuffer ? rectangle.Y : 0));
   // In pages of 64 KiB, so that a slowly growing scene does not reallocate every frame.
   const std::int64_t bytes =
     std::min(RoundUp((fragments + 1) * bytesPerNode, 65536), maximumPoolBytes);
@@ -151,8 +152,9 @@ void vtkOITFragmentStore::Begin(const vtkOITRectangle& rectangle)
   this->Rectangle = rectangle;
   this->Grid = vtkOITTileGrid(rectangle);
   const GLuint end = 0;
-  glClearTexSubImage(this->Heads, 0, 0, 0, 0, rectangle.Width, rectangle.Height, 1, GL_RED_INTEGER,
-    GL_UNSIGNED_INT, &end);
+  glClearTexSubImage(this->Heads, 0, this->WholeFramebuffer ? rectangle.X : 0,
+    this->WholeFramebuffer ? rectangle.Y : 0, 0, rectangle.Width, rectangle.Height, 1,
+    GL_RED_INTEGER, GL_UNSIGNED_INT, &end);
   const std::vector<std::uint32_t> zeros(
     CounterWords + TileWords * this->Grid.GetNumberOfTiles(), 0u);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
@@ -171,11 +173,58 @@ void vtkOITFragmentStore::Begin(const vtkOITRectangle& rectangle)
 }
 
 //------------------------------------------------------------------------------
+bool vtkOITFragmentStore::BindHeadFramebuffer(vtkOpenGLState* state)
+{
+  const auto getDepth = [](GLenum name) {
+    GLint value = 0;
+    glGetFramebufferAttachmentParameteriv(
+      GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, name, &value);
+    return value;
+  };
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  const GLint type = bound ? getDepth(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) : GL_NONE;
+  if (type != GL_TEXTURE && type != GL_RENDERBUFFER)
+  {
+    return false;
+  }
+  const auto name = static_cast<GLuint>(getDepth(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
+  const GLint level = type == GL_TEXTURE ? getDepth(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL) : 0;
+
+  if (this->HeadFramebuffer == 0)
+  {
+    glGenFramebuffers(1, &this->HeadFramebuffer);
+  }
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->HeadFramebuffer);
+  glFramebufferTexture2D(
+    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Heads, 0);
+  if (type == GL_TEXTURE)
+  {
+    glFramebufferTexture(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, name, level);
+  }
+  else
+  {
+    glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, name);
+  }
+  const GLenum buffer = GL_COLOR_ATTACHMENT0;
+  glDrawBuffers(1, &buffer);
+  if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE)
+  {
+    return true;
+  }
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound);
+  return false;
+}
+
+//------------------------------------------------------------------------------
 void vtkOITFragmentStore::SetUniforms(vtkShaderProgram* program) const
 {
-  const int origin[2] = { this->Rectangle.X, this->Rectangle.Y };
+  const int origin[2] = { this->WholeFramebuffer ? 0 : this->Rectangle.X,
+    this->WholeFramebuffer ? 0 : this->Rectangle.Y };
+  const int corner[2] = { this->Rectangle.X, this->Rectangle.Y };
   const int firstTile[2] = { this->Grid.FirstColumn, this->Grid.FirstRow };
   program->SetUniform2i("oitOrigin", origin);
+  program->SetUniform2i("oitCorner", corner);
   program->SetUniform2i("oitFirstTile", firstTile);
   program->SetUniformi("oitTileColumns", this->Grid.Columns);
   program->SetUniformi("oitCapacity", static_cast<int>(this->Nodes));
@@ -247,6 +296,7 @@ std::int64_t vtkOITFragmentStore::GetFixedBytes(const vtkOITRectangle& rectangle
 //------------------------------------------------------------------------------
 void vtkOITFragmentStore::Delete()
 {
+  glDeleteFramebuffers(1, &this->HeadFramebuffer);
   glDeleteTextures(1, &this->Heads);
   glDeleteTextures(1, &this->PoolTexture);
   glDeleteTextures(1, &this->CounterTexture);
@@ -259,7 +309,7 @@ void vtkOITFragmentStore::Delete()
 //------------------------------------------------------------------------------
 void vtkOITFragmentStore::Forget()
 {
-  this->Heads = this->Pool = this->PoolTexture = this->CounterBuffer = this->CounterTexture = 0;
+  this->HeadFramebuffer = this->Heads = this->Pool = this->PoolTexture = this->CounterBuffer = this->CounterTexture = 0;
   this->ExpectedBuffer = this->ExpectedTexture = 0;
   this->TileCapacity = 0;
   this->Width = this->Height = 0;

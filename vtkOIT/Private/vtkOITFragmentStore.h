@@ -74,11 +74,20 @@ public:
   /// and storage buffers 0 and 1. The rectangle is the current one until the next call.
   void Begin(const vtkOITRectangle& rectangle);
 
+  /// The framebuffer's pixel of the heads' first texel: the lower left corner of the rectangle, or
+  /// that of the framebuffer (default off), which BindHeadFramebuffer() needs. Before Reserve().
+  void SetWholeFramebuffer(bool whole) { this->WholeFramebuffer = whole; }
+
   /// Sets the uniforms of a program that includes vtkOITABufferPassNodeFS.glsl.
   void SetUniforms(vtkShaderProgram* program) const;
 
   /// Waits for the shaders that count.
   Counters ReadCounters() const;
+
+  /// Binds a framebuffer whose colour buffer are the list heads and whose depth buffer is that of
+  /// the framebuffer bound for drawing, so that Gather gets the heads by framebuffer fetch. False,
+  /// and nothing is bound, where that is not possible. After Begin().
+  bool BindHeadFramebuffer(vtkOpenGLState* state);
 
   const vtkOITRectangle& GetRectangle() const { return this->Rectangle; }
   const vtkOITTileGrid& GetTileGrid() const { return this->Grid; }
@@ -116,6 +125,7 @@ private:
   void ReservePool(std::int64_t bytes, const vtkOITCapabilities& capabilities);
 
   GLuint Heads = 0;
+  GLuint HeadFramebuffer = 0;
   GLuint Pool = 0;
   GLuint PoolTexture = 0;
   GLuint CounterBuffer = 0;
@@ -125,6 +135,7 @@ private:
   int TileCapacity = 0;
   vtkOITRectangle Rectangle;
   vtkOITTileGrid Grid;
+  bool WholeFramebuffer = false;
   int Width = 0;
   int Height = 0;
   std::int64_t PoolBytes = 0;

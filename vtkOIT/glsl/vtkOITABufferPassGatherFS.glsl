@@ -6,7 +6,21 @@
 //
 // The hardware's depth test against the opaque geometry runs before (early_fragment_tests), so a
 // fragment gets here exactly when plain blending would draw it. Shaders that write gl_FragDepth
-// cannot have that: OIT_TEST_DEPTH, they compare with a copy of the depth buffer.
+// cannot have that, their test runs after. With OIT_HEAD_IN_TARGET that is as good: the list heads
+// are the colour buffer, read by framebuffer fetch, and a fragment that fails the test does not
+// become the head. Otherwise (OIT_TEST_DEPTH) they compare with a copy of the depth buffer.
+
+#ifdef OIT_HEAD_IN_TARGET
+inout uint oitHead;
+uint oitExchangeHead(ivec2 pixel, uint node)
+{
+  uint next = oitHead;
+  oitHead = node;
+  return next;
+}
+#else
+uint oitExchangeHead(ivec2 pixel, uint node) { return imageAtomicExchange(oitHeads, pixel, node); }
+#endif
 
 #ifdef OIT_TEST_DEPTH
 #if OIT_SAMPLES > 0
@@ -80,7 +94,7 @@ void main()
     }
     return;
   }
-  uint next = imageAtomicExchange(oitHeads, pixel, node);
+  uint next = oitExchangeHead(pixel, node);
   uint key = floatBitsToUint(depth) & 0x7fffffffu; // -0 as +0
   OITColor color = oitPack(vec4(oitFragColor.rgb, alpha));
 #ifdef OIT_WIDE_NODES

@@ -39,6 +39,7 @@ const uint OIT_HAS_LISTS = 0x40000000u;  // tile: some pixels are left for Sort 
 
 uniform int oitCapacity; // nodes, the unused one included
 uniform ivec2 oitOrigin; // framebuffer pixel of oitHeads' texel (0, 0)
+uniform ivec2 oitCorner; // lower left pixel of the rectangle that is being rendered
 
 // Tiles are aligned to multiples of their size in the framebuffer, as rasterizers have them.
 const int OIT_TILE_SIZE = 16;

@@ -61,7 +61,7 @@ void oitNote(uint count, bool isLeft)
   float dy = dFdy(value);
   value = max(value, odd.y == 0 ? value + dy : value - dy);
   // At the lower and left edge of the rectangle, the even neighbour may be outside.
-  bvec2 isEdge = equal(ivec2(gl_FragCoord.xy), oitOrigin);
+  bvec2 isEdge = equal(ivec2(gl_FragCoord.xy), oitCorner);
   if (value > 0.0 && (odd.x == 0 || isEdge.x) && (odd.y == 0 || isEdge.y))
   {
     atomicMax(oitTiles[oitFindTile()].x, value < 64.0 ? uint(value) : OIT_TRY_AGAIN);
