@@ -119,10 +119,12 @@ void RunScene(
     }
   }
 
-  std::cout << "\n" << scene.Name << ": " << scene.Description << ", " << size << " x " << size
-            << ", " << frames << " frames each\n"
-            << "  method          ratio    spread  cpu ratio   ms/frame   passes  fragments  depth  MiB\n"
-            << std::fixed;
+  std::cout
+    << "\n"
+    << scene.Name << ": " << scene.Description << ", " << size << " x " << size << ", " << frames
+    << " frames each\n"
+    << "  method          ratio    spread  cpu ratio   ms/frame   passes  fragments  depth  MiB\n"
+    << std::fixed;
   const double reference = GetQuantile(contenders.front()->Seconds, 0.5);
   const double cpuReference = GetQuantile(contenders.front()->CPUSeconds, 0.5);
   for (const auto& contender : contenders)
@@ -138,9 +140,8 @@ void RunScene(
     if (vtkOITPass* pass = contender->Pass)
     {
       std::cout << std::setw(9) << pass->GetNumberOfGeometryPasses() << std::setw(11)
-                << pass->GetNumberOfFragments() << std::setw(7)
-                << pass->GetMaximumDepthComplexity() << std::setw(5)
-                << pass->GetBufferSizeInBytes() / (1 << 20);
+                << pass->GetNumberOfFragments() << std::setw(7) << pass->GetMaximumDepthComplexity()
+                << std::setw(5) << pass->GetBufferSizeInBytes() / (1 << 20);
     }
     std::cout << std::endl;
   }
@@ -162,7 +163,8 @@ int main(int argc, char* argv[])
     "names as in vtkOITPassFactory, also vtk-weighted and vtk-dual; blend is always run");
   arguments.AddArgument(
     "--scenes", Arguments::MULTI_ARGUMENT, &sceneNames, "spheres, isosurfaces, deep; default all");
-  arguments.AddArgument("--size", Arguments::SPACE_ARGUMENT, &size, "pixels of a side, default 800");
+  arguments.AddArgument(
+    "--size", Arguments::SPACE_ARGUMENT, &size, "pixels of a side, default 800");
   arguments.AddArgument("--frames", Arguments::SPACE_ARGUMENT, &frames, "per method, default 15");
   arguments.AddBooleanArgument("-h", &help, "this help");
   if (!arguments.Parse() || help || size < 1 || frames < 1)

@@ -94,8 +94,8 @@ void vtkOITABufferPass::Internals::ChooseShaders(const vtkOITFrame& frame, bool 
   shaders.Samples = frame.Target.Samples;
   shaders.FloatColor = floatColor;
   shaders.NodesInImage = this->Store.GetNodesInImage();
-  shaders.FramebufferFetch = frame.Capabilities->FramebufferFetch && frame.Target.CoarseColor &&
-    frame.Target.Samples == 0;
+  shaders.FramebufferFetch =
+    frame.Capabilities->FramebufferFetch && frame.Target.CoarseColor && frame.Target.Samples == 0;
   shaders.PostDepthCoverage = frame.Capabilities->PostDepthCoverage;
   shaders.HeadInTarget = this->HeadInTarget;
   if (shaders != this->Shaders || this->ShaderTime.GetMTime() == 0)
@@ -181,8 +181,8 @@ vtkTypeInt64 vtkOITABufferPass::RenderBand(vtkOITFrame& frame)
     const std::int64_t capacity = impl.Store.GetCapacity();
     if (!counters.Overflow)
     {
-      this->AddStatistics(counters.FragmentCount,
-        *std::max_element(counters.Tiles.begin(), counters.Tiles.end()));
+      this->AddStatistics(
+        counters.FragmentCount, *std::max_element(counters.Tiles.begin(), counters.Tiles.end()));
       return counters.FragmentCount;
     }
     // A count that is not beyond the capacity has wrapped around 2^32.
@@ -196,7 +196,8 @@ vtkTypeInt64 vtkOITABufferPass::RenderBand(vtkOITFrame& frame)
   }
   if (impl.Band.GetArea() == 1)
   {
-    vtkErrorMacro("One pixel has " << needed << " fragments, more than the context has memory for; "
+    vtkErrorMacro("One pixel has " << needed
+                                   << " fragments, more than the context has memory for; "
                                       "it is left without them. Make the scene simpler");
     this->Exact = false;
     this->ErrorBound = 1.0;
@@ -267,8 +268,8 @@ void vtkOITABufferPass::AddStatistics(vtkTypeInt64 fragments, vtkTypeInt64 depth
 }
 
 //------------------------------------------------------------------------------
-bool vtkOITABufferPass::PostReplaceShaderValues(std::string&, std::string&,
-  std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+bool vtkOITABufferPass::PostReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
   return this->Impl->Shaders.WrapGather(fragmentShader);
 }

@@ -152,8 +152,7 @@ void vtkOITPass::Render(const vtkRenderState* state)
   {
     GLint scissor[4];
     glGetIntegerv(GL_SCISSOR_BOX, scissor);
-    frame.Rectangle =
-      frame.Rectangle.Intersect({ scissor[0], scissor[1], scissor[2], scissor[3] });
+    frame.Rectangle = frame.Rectangle.Intersect({ scissor[0], scissor[1], scissor[2], scissor[3] });
   }
   if (frame.Rectangle.IsEmpty())
   {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITRendererHook.h"
 
-#include "vtkOITPass.h"
 #include "vtkCommand.h"
 #include "vtkDualDepthPeelingPass.h"
+#include "vtkOITPass.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkRenderState.h"
@@ -38,7 +38,7 @@ public:
   void ResetStatistics() { this->Pass->ResetStatistics(); }
 
   vtkSmartPointer<vtkOITPass> Pass;
-  unsigned long Observer = 0; // of the renderer's StartEvent
+  unsigned long Observer = 0;              // of the renderer's StartEvent
   vtkDepthPeelingPass* Previous = nullptr; // what the renderer owned before
   bool PreviousUseDepthPeeling = false;
 

@@ -96,9 +96,9 @@ vtkOITFragmentStore::Counters vtkOITABufferResolver::Resolve(
     counters = store.ReadCounters();
     if (!counters.Overflow && counters.Marks != 0)
     {
-      this->DrawTiles(this->SecondChanceStage, frame, store, TilesToTryAgain, [this] {
-        return this->Shaders.GetResolve(vtkOITABufferShaders::NetworkSizes.back(), true);
-      });
+      this->DrawTiles(this->SecondChanceStage, frame, store, TilesToTryAgain,
+        [this]
+        { return this->Shaders.GetResolve(vtkOITABufferShaders::NetworkSizes.back(), true); });
       counters = store.ReadCounters();
       if (counters.Marks & vtkOITFragmentStore::HasLists)
       {
@@ -144,14 +144,14 @@ void vtkOITABufferResolver::PrepareOutput(
   }
   const vtkOITTileGrid& grid = store.GetTileGrid();
   constexpr int size = vtkOITTileGrid::TileSize;
-  state->vtkglViewport(grid.FirstColumn * size, grid.FirstRow * size, grid.Columns * size,
-    grid.Rows * size);
+  state->vtkglViewport(
+    grid.FirstColumn * size, grid.FirstRow * size, grid.Columns * size, grid.Rows * size);
   store.BindTiles(state, TileUnit);
 }
 
 //------------------------------------------------------------------------------
-void vtkOITABufferResolver::DrawExpected(const vtkOITFrame& frame,
-  const vtkOITFragmentStore& store, const std::vector<std::uint32_t>& expected)
+void vtkOITABufferResolver::DrawExpected(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
+  const std::vector<std::uint32_t>& expected)
 {
   int smallest = 0;
   for (std::size_t i = 0; i < this->ResolveStages.size(); ++i)
@@ -159,9 +159,9 @@ void vtkOITABufferResolver::DrawExpected(const vtkOITFrame& frame,
     const int size = vtkOITABufferShaders::NetworkSizes[i];
     const bool isLast = i + 1 == this->ResolveStages.size();
     const int largest = isLast ? std::numeric_limits<int>::max() : size;
-    const bool isNeeded = std::any_of(expected.begin(), expected.end(), [=](std::uint32_t count) {
-      return smallest <= static_cast<int>(count) && static_cast<int>(count) <= largest;
-    });
+    const bool isNeeded = std::any_of(expected.begin(), expected.end(),
+      [=](std::uint32_t count)
+      { return smallest <= static_cast<int>(count) && static_cast<int>(count) <= largest; });
     if (isNeeded)
     {
       this->DrawTiles(this->ResolveStages[i], frame, store, { smallest, largest },
@@ -187,15 +187,16 @@ void vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame, const vtkOITFrag
   {
     this->DrawTiles(
       this->SortStage, frame, store, tileClass, [this] { return this->Shaders.GetSort(); },
-      [&widths](vtkShaderProgram* program) {
+      [&widths](vtkShaderProgram* program)
+      {
         program->SetUniformi("oitFirstWidth", widths.first);
         program->SetUniformi("oitLastWidth", widths.second);
       });
     glMemoryBarrier(Barriers);
   }
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  this->DrawTiles(this->CompositeStage, frame, store, tileClass,
-    [this] { return this->Shaders.GetComposite(); });
+  this->DrawTiles(
+    this->CompositeStage, frame, store, tileClass, [this] { return this->Shaders.GetComposite(); });
 }
 
 //------------------------------------------------------------------------------
@@ -205,7 +206,8 @@ void vtkOITABufferResolver::DrawTiles(vtkOITScreenStage& stage, const vtkOITFram
   const std::function<void(vtkShaderProgram*)>& setMore)
 {
   const vtkOITTileGrid& grid = store.GetTileGrid();
-  const auto setUniforms = [&](vtkShaderProgram* program) {
+  const auto setUniforms = [&](vtkShaderProgram* program)
+  {
     store.SetUniforms(program);
     const int dimensions[2] = { grid.Columns, grid.Rows };
     program->SetUniformi("oitTileTexels", TileUnit);

@@ -19,10 +19,10 @@
 //------------------------------------------------------------------------------
 bool vtkOITABufferShaders::operator==(const vtkOITABufferShaders& other) const
 {
-  const auto tie = [](const vtkOITABufferShaders& s) {
-    return std::tie(
-      s.Samples, s.FloatColor, s.NodesInImage, s.FramebufferFetch, s.PostDepthCoverage,
-      s.HeadInTarget);
+  const auto tie = [](const vtkOITABufferShaders& s)
+  {
+    return std::tie(s.Samples, s.FloatColor, s.NodesInImage, s.FramebufferFetch,
+      s.PostDepthCoverage, s.HeadInTarget);
   };
   return tie(*this) == tie(other);
 }
@@ -40,9 +40,9 @@ std::string vtkOITABufferShaders::GetDefinitions() const
 //------------------------------------------------------------------------------
 std::string vtkOITABufferShaders::GetHeader() const
 {
-  return vtkOITRequireExtensions({ "GL_ARB_shader_image_load_store",
-           "GL_ARB_shader_storage_buffer_object", "GL_ARB_shading_language_420pack",
-           "GL_ARB_gpu_shader5" }) +
+  return vtkOITRequireExtensions(
+           { "GL_ARB_shader_image_load_store", "GL_ARB_shader_storage_buffer_object",
+             "GL_ARB_shading_language_420pack", "GL_ARB_gpu_shader5" }) +
     this->GetDefinitions();
 }
 
@@ -73,8 +73,8 @@ bool vtkOITABufferShaders::WrapGather(std::string& fragmentShader) const
     }
     header += "layout(early_fragment_tests) in;\n";
   }
-  return vtkOITWrapFragmentShader(fragmentShader, header,
-    std::string(vtkOITABufferPassNodeFS) + vtkOITABufferPassGatherFS);
+  return vtkOITWrapFragmentShader(
+    fragmentShader, header, std::string(vtkOITABufferPassNodeFS) + vtkOITABufferPassGatherFS);
 }
 
 //------------------------------------------------------------------------------

@@ -57,7 +57,7 @@ void vtkOITBands::Push(const vtkOITRectangle& r, std::int64_t parts)
   {
     const int from = static_cast<int>(static_cast<std::int64_t>(extent) * i / count);
     const int to = static_cast<int>(static_cast<std::int64_t>(extent) * (i + 1) / count);
-    this->Waiting.push_back(byRows ? vtkOITRectangle{ r.X, r.Y + from, r.Width, to - from } :
-                                     vtkOITRectangle{ r.X + from, r.Y, to - from, r.Height });
+    this->Waiting.push_back(byRows ? vtkOITRectangle{ r.X, r.Y + from, r.Width, to - from }
+                                   : vtkOITRectangle{ r.X + from, r.Y, to - from, r.Height });
   }
 }

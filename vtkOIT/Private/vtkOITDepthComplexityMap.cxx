@@ -34,8 +34,8 @@ void vtkOITDepthComplexityMap::Update(
   for (int row = 0; row < grid.Rows; ++row)
   {
     std::copy_n(tiles.begin() + static_cast<std::ptrdiff_t>(row) * grid.Columns, grid.Columns,
-      this->Tiles.begin() +
-        static_cast<std::ptrdiff_t>(grid.FirstRow + row) * this->Columns + grid.FirstColumn);
+      this->Tiles.begin() + static_cast<std::ptrdiff_t>(grid.FirstRow + row) * this->Columns +
+        grid.FirstColumn);
   }
 }
 

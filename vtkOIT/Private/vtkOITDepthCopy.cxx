@@ -32,16 +32,15 @@ GLenum FindFormat(const vtkOITTarget& target)
 }
 
 //------------------------------------------------------------------------------
-void vtkOITDepthCopy::Allocate(
-  const vtkOITFrame& frame, const vtkOITRectangle& rectangle, int unit)
+void vtkOITDepthCopy::Allocate(const vtkOITFrame& frame, const vtkOITRectangle& rectangle, int unit)
 {
   const int width = rectangle.Width;
   const int height = rectangle.Height;
   const GLenum format = FindFormat(frame.Target);
   const bool attached = this->Attach(frame.Window);
   frame.GLState->vtkglActiveTexture(GL_TEXTURE0 + unit);
-  if (attached && this->Texture && this->Format == format && this->Samples == frame.Target.Samples &&
-    this->Width >= width && this->Height >= height)
+  if (attached && this->Texture && this->Format == format &&
+    this->Samples == frame.Target.Samples && this->Width >= width && this->Height >= height)
   {
     glBindTexture(this->Target, this->Texture);
     return;
@@ -71,8 +70,7 @@ void vtkOITDepthCopy::Allocate(
 }
 
 //------------------------------------------------------------------------------
-void vtkOITDepthCopy::Copy(
-  const vtkOITFrame& frame, const vtkOITRectangle& rectangle, int unit)
+void vtkOITDepthCopy::Copy(const vtkOITFrame& frame, const vtkOITRectangle& rectangle, int unit)
 {
   this->Allocate(frame, rectangle, unit);
   GLint source = 0;
@@ -109,8 +107,7 @@ std::int64_t vtkOITDepthCopy::GetSizeInBytes() const
 }
 
 //------------------------------------------------------------------------------
-std::int64_t vtkOITDepthCopy::GetBytes(
-  const vtkOITRectangle& rectangle, const vtkOITTarget& target)
+std::int64_t vtkOITDepthCopy::GetBytes(const vtkOITRectangle& rectangle, const vtkOITTarget& target)
 {
   const int bytes = FindFormat(target) == GL_DEPTH32F_STENCIL8 ? 8 : 4;
   return rectangle.GetArea() * bytes * std::max(1, target.Samples);

@@ -120,8 +120,7 @@ void vtkOITFragmentStore::ReserveHeads(int width, int height)
 }
 
 //------------------------------------------------------------------------------
-void vtkOITFragmentStore::ReservePool(
-  std::int64_t bytes, const vtkOITCapabilities& capabilities)
+void vtkOITFragmentStore::ReservePool(std::int64_t bytes, const vtkOITCapabilities& capabilities)
 {
   glDeleteTextures(1, &this->PoolTexture);
   glDeleteBuffers(1, &this->Pool);
@@ -158,8 +157,8 @@ void vtkOITFragmentStore::Begin(const vtkOITRectangle& rectangle)
   const std::vector<std::uint32_t> zeros(
     CounterWords + TileWords * this->Grid.GetNumberOfTiles(), 0u);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
-  glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, GetCounterBytes(this->Grid.GetNumberOfTiles()),
-    zeros.data());
+  glBufferSubData(
+    GL_SHADER_STORAGE_BUFFER, 0, GetCounterBytes(this->Grid.GetNumberOfTiles()), zeros.data());
   glBindImageTexture(0, this->Heads, 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, this->CounterBuffer);
   if (this->NodesInImage)
@@ -175,10 +174,10 @@ void vtkOITFragmentStore::Begin(const vtkOITRectangle& rectangle)
 //------------------------------------------------------------------------------
 bool vtkOITFragmentStore::BindHeadFramebuffer(vtkOpenGLState* state)
 {
-  const auto getDepth = [](GLenum name) {
+  const auto getDepth = [](GLenum name)
+  {
     GLint value = 0;
-    glGetFramebufferAttachmentParameteriv(
-      GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, name, &value);
+    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, name, &value);
     return value;
   };
   GLint bound = 0;
@@ -196,8 +195,7 @@ bool vtkOITFragmentStore::BindHeadFramebuffer(vtkOpenGLState* state)
     glGenFramebuffers(1, &this->HeadFramebuffer);
   }
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->HeadFramebuffer);
-  glFramebufferTexture2D(
-    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Heads, 0);
+  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Heads, 0);
   if (type == GL_TEXTURE)
   {
     glFramebufferTexture(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, name, level);
@@ -255,8 +253,8 @@ vtkOITFragmentStore::Counters vtkOITFragmentStore::ReadCounters() const
 void vtkOITFragmentStore::SetExpected(const std::vector<std::uint32_t>& tiles)
 {
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->ExpectedBuffer);
-  glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, GetExpectedBytes(static_cast<int>(tiles.size())),
-    tiles.data());
+  glBufferSubData(
+    GL_SHADER_STORAGE_BUFFER, 0, GetExpectedBytes(static_cast<int>(tiles.size())), tiles.data());
 }
 
 //------------------------------------------------------------------------------
@@ -309,7 +307,8 @@ void vtkOITFragmentStore::Delete()
 //------------------------------------------------------------------------------
 void vtkOITFragmentStore::Forget()
 {
-  this->HeadFramebuffer = this->Heads = this->Pool = this->PoolTexture = this->CounterBuffer = this->CounterTexture = 0;
+  this->HeadFramebuffer = this->Heads = this->Pool = this->PoolTexture = this->CounterBuffer =
+    this->CounterTexture = 0;
   this->ExpectedBuffer = this->ExpectedTexture = 0;
   this->TileCapacity = 0;
   this->Width = this->Height = 0;

@@ -37,8 +37,8 @@ struct vtkOITTileGrid
 };
 
 /**
- * The memory of an A-buffer: list heads (one texel a pixel), the pool of nodes, the counters and the
- * depth complexity of tiles. The layout is that of glsl/vtkOITABufferPassNodeFS.glsl.
+ * The memory of an A-buffer: list heads (one texel a pixel), the pool of nodes, the counters and
+ * the depth complexity of tiles. The layout is that of glsl/vtkOITABufferPassNodeFS.glsl.
  *
  * Heads and pool only grow; Release() frees them. 4 bytes per pixel, and the bytes of a node per
  * fragment.

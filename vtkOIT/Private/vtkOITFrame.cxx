@@ -52,8 +52,7 @@ vtkOITTarget vtkOITTarget::Query()
   if (IsAttached(depth))
   {
     target.DepthBits = GetAttachment(depth, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
-    target.FloatDepth =
-      GetAttachment(depth, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
+    target.FloatDepth = GetAttachment(depth, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
   }
   if (IsAttached(stencil))
   {
@@ -70,8 +69,7 @@ vtkOITFrame::vtkOITFrame(const vtkRenderState* state, std::vector<vtkProp*> tran
   this->State.SetPropArrayAndCount(this->Props.data(), static_cast<int>(this->Props.size()));
   this->State.SetFrameBuffer(state->GetFrameBuffer());
   this->State.SetRequiredKeys(state->GetRequiredKeys());
-  this->Window =
-    vtkOpenGLRenderWindow::SafeDownCast(state->GetRenderer()->GetVTKWindow());
+  this->Window = vtkOpenGLRenderWindow::SafeDownCast(state->GetRenderer()->GetVTKWindow());
   this->GLState = this->Window ? this->Window->GetState() : nullptr;
 }
 
@@ -91,7 +89,8 @@ std::vector<vtkProp*> vtkOITFindTranslucentProps(const vtkRenderState* state)
   vtkProp** first = state->GetPropArray();
   std::vector<vtkProp*> props;
   std::copy_if(first, first + state->GetPropArrayCount(), std::back_inserter(props),
-    [state](vtkProp* prop) {
+    [state](vtkProp* prop)
+    {
       return prop->GetVisibility() && prop->HasTranslucentPolygonalGeometry() &&
         prop->HasKeys(state->GetRequiredKeys());
     });

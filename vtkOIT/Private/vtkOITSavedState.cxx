@@ -82,11 +82,10 @@ vtkOITSavedState::~vtkOITSavedState()
   state->vtkglDepthFunc(this->DepthFunction);
   state->vtkglDepthMask(this->DepthMask);
   state->vtkglCullFace(this->CullFaceMode);
-  state->vtkglViewport(
-    this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
+  state->vtkglViewport(this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
   state->vtkglScissor(this->Scissor[0], this->Scissor[1], this->Scissor[2], this->Scissor[3]);
-  state->vtkglBlendFuncSeparate(this->BlendFunction[0], this->BlendFunction[1],
-    this->BlendFunction[2], this->BlendFunction[3]);
+  state->vtkglBlendFuncSeparate(
+    this->BlendFunction[0], this->BlendFunction[1], this->BlendFunction[2], this->BlendFunction[3]);
   state->vtkglBlendEquationSeparate(this->BlendEquation[0], this->BlendEquation[1]);
   state->vtkglColorMask(
     this->ColorMask[0], this->ColorMask[1], this->ColorMask[2], this->ColorMask[3]);

@@ -31,8 +31,7 @@ bool StaysInBounds(vtkMapper* mapper)
 {
   static const std::array<std::string, 5> names = { "vtkOpenGLPolyDataMapper", "vtkDataSetMapper",
     "vtkCompositePolyDataMapper", "vtkCompositePolyDataMapper2", "vtkPolyDataMapper" };
-  return mapper &&
-    std::find(names.begin(), names.end(), mapper->GetClassName()) != names.end();
+  return mapper && std::find(names.begin(), names.end(), mapper->GetClassName()) != names.end();
 }
 
 bool MovesVertices(vtkShaderProperty* shader)
@@ -134,9 +133,8 @@ vtkOITRectangle vtkOITFindScreenRectangle(
     return {};
   }
 
-  const auto clampTo = [](double value, int lower, int size) {
-    return static_cast<int>(std::clamp<double>(value, lower, lower + size));
-  };
+  const auto clampTo = [](double value, int lower, int size)
+  { return static_cast<int>(std::clamp<double>(value, lower, lower + size)); };
   const int x0 = clampTo(std::floor(extent.Lower.x), viewport.X, viewport.Width);
   const int y0 = clampTo(std::floor(extent.Lower.y), viewport.Y, viewport.Height);
   const int x1 = clampTo(std::ceil(extent.Upper.x), viewport.X, viewport.Width);

@@ -67,7 +67,8 @@ bool vtkOITWrapFragmentShader(
   shader = std::regex_replace(shader, mainFunction, "void oitShade()");
   vtkOITReplace(shader, "gl_FragData[0]", "oitFragColor");
   vtkOITReplace(shader, "fragOutput0", "oitFragColor");
-  vtkOITReplace(shader, "//VTK::System::Dec", "//VTK::System::Dec\n" + header + "vec4 oitFragColor;\n");
+  vtkOITReplace(
+    shader, "//VTK::System::Dec", "//VTK::System::Dec\n" + header + "vec4 oitFragColor;\n");
   shader += "\n" + stage;
   return true;
 }
