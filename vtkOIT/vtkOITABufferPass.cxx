@@ -37,7 +37,7 @@ class vtkOITABufferPass::Internals
 public:
   void ChooseShaders(const vtkOITFrame& frame, bool floatColor);
   void ChooseCapture(const vtkOITFrame& frame, vtkTypeInt64 maximumBytes);
-  void Begin(const vtkOITFrame& frame);
+  bool Begin(const vtkOITFrame& frame);
   vtkOITFragmentStore::Counters Resolve(const vtkOITFrame& frame);
   std::int64_t GetLargestPool(const vtkOITFrame& frame, std::int64_t maximumBytes) const;
 
@@ -52,6 +52,7 @@ public:
   const vtkOITFrame* Frame = nullptr;
   bool HasDepthCopy = false;
   bool HeadInTarget = false; // list heads by framebuffer fetch instead of image atomics
+  bool HeadInTargetWorks = true;
 };
 
 //------------------------------------------------------------------------------
@@ -175,7 +176,11 @@ vtkTypeInt64 vtkOITABufferPass::RenderBand(vtkOITFrame& frame)
     impl.Store.Reserve(frame.Window, *frame.Capabilities, impl.Band, wanted,
       impl.Shaders.GetBytesPerNode(), largestPool);
     impl.ChooseShaders(frame, this->FragmentPrecision == FLOAT); // as the pool is now
-    impl.Begin(frame);
+    if (!impl.Begin(frame))
+    {
+      impl.ChooseCapture(frame, this->MaximumBufferSize);
+      continue;
+    }
     this->RenderGeometry(frame);
     const vtkOITFragmentStore::Counters counters = impl.Resolve(frame);
     const std::int64_t capacity = impl.Store.GetCapacity();
@@ -211,13 +216,14 @@ vtkTypeInt64 vtkOITABufferPass::RenderBand(vtkOITFrame& frame)
 void vtkOITABufferPass::Internals::ChooseCapture(
   const vtkOITFrame& frame, vtkTypeInt64 maximumBytes)
 {
-  this->HeadInTarget = frame.Capabilities->FramebufferFetch && frame.Target.Samples == 0 &&
+  this->HeadInTarget = this->HeadInTargetWorks && frame.Capabilities->FramebufferFetch && frame.Target.Samples == 0 &&
     frame.Target.Framebuffer != 0 && frame.Target.DepthBits > 0 && maximumBytes == 0;
   this->Store.SetWholeFramebuffer(this->HeadInTarget);
 }
 
 //------------------------------------------------------------------------------
-void vtkOITABufferPass::Internals::Begin(const vtkOITFrame& frame)
+// False when the framebuffer of the list heads cannot be made; then it is not tried again.
+bool vtkOITABufferPass::Internals::Begin(const vtkOITFrame& frame)
 {
   this->HasDepthCopy = false;
   this->Store.Begin(this->Band);
@@ -226,10 +232,12 @@ void vtkOITABufferPass::Internals::Begin(const vtkOITFrame& frame)
   const GLboolean writesHeads = this->HeadInTarget ? GL_TRUE : GL_FALSE;
   state->vtkglColorMask(writesHeads, writesHeads, writesHeads, writesHeads);
   state->vtkglDepthMask(GL_FALSE);
-  if (this->HeadInTarget)
+  if (this->HeadInTarget && !this->Store.BindHeadFramebuffer(state))
   {
-    this->Store.BindHeadFramebuffer(state);
+    this->HeadInTargetWorks = false;
+    return false;
   }
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -9,16 +9,20 @@
  * concurrent linked list construction on the GPU, EGSR 2010):
  *
  * 1. Gather: the props are drawn once, under the hardware's depth test against the opaque
- *    geometry. Each fragment takes a node of one pool by an atomic counter and puts it at the head
- *    of its pixel's list by an atomic exchange. Nothing is written to the framebuffer.
- * 2. Resolve: a quad over the screen rectangle of the translucent props. Each pixel loads its list,
- *    sorts it by depth in registers (up to 32 fragments; beyond that, the list itself is
- *    merge-sorted), and composites it front to back, `C += T α c`, `T -= T α` in float32, over
- *    what the framebuffer holds.
- * 3. The counters are read back. When the pool was too small, Resolve has drawn nothing; the pool
- *    grows to the size that was counted and the frame is rendered again. Where it may not grow
- *    (MaximumBufferSize, limits of the context) the rectangle is rendered in bands that fit. The
- *    next frame starts with what was needed.
+ *    geometry. Each fragment takes a node of one pool by an atomic counter and becomes the head of
+ *    its pixel's list: by framebuffer fetch where shaders can read the framebuffer, otherwise by an
+ *    atomic exchange. Nothing is drawn.
+ * 2. Resolve: each tile of 16 x 16 pixels is drawn with the smallest sorting network that takes the
+ *    depth complexity which the tile had in the last frame, up to 32 fragments. A pixel loads its
+ *    list into registers, sorts it by depth and composites it front to back, `C += T α c`,
+ *    `T -= T α` in float32, over what the framebuffer holds.
+ * 3. The counters and the depth complexity of tiles are read back. Tiles with pixels that had more
+ *    fragments than expected are drawn again for these pixels; longer lists and coincident
+ *    fragments are merge-sorted in place and composited.
+ * 4. When the pool was too small, Resolve has drawn nothing; the pool grows to the size that was
+ *    counted and the frame is rendered again. Where it may not grow (MaximumBufferSize, limits of
+ *    the context) the rectangle is rendered in bands that fit. The next frame starts with what was
+ *    needed.
  *
  * Coincident fragments, whose float32 window depths are equal to the bit, count once each: as a
  * group they have the opacity `1 - Π(1 - α_i)` and the mean of their colours weighted by opacity.
@@ -28,8 +32,7 @@
  * after the depth test; one depth and colour per pixel and fragment, as in multisampling itself.
  *
  * Geometry passes: 1, when the pool was too small 2, with bands 1 each. Memory: 4 bytes per pixel
- * of the rectangle plus 16 bytes per fragment; 32 per fragment for float32 colours or
- * multisampling. Needs GL 4.3 with ARB_clear_texture (any GL 4.4, Mesa's llvmpipe).
+ * plus 16 bytes per fragment; 32 per fragment for float32 colours or multisampling. Needs GL 4.3 with ARB_clear_texture (any GL 4.4, Mesa's llvmpipe).
  *
  * Exact: yes. Colours are stored as half floats by default: an error of at most 2^-11 of each
  * colour and opacity, clamped to [0, 65504]; FLOAT keeps them as they are. Limits: a prop whose
