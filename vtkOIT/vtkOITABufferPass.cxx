@@ -216,8 +216,9 @@ vtkTypeInt64 vtkOITABufferPass::RenderBand(vtkOITFrame& frame)
 void vtkOITABufferPass::Internals::ChooseCapture(
   const vtkOITFrame& frame, vtkTypeInt64 maximumBytes)
 {
-  this->HeadInTarget = this->HeadInTargetWorks && frame.Capabilities->FramebufferFetch && frame.Target.Samples == 0 &&
-    frame.Target.Framebuffer != 0 && frame.Target.DepthBits > 0 && maximumBytes == 0;
+  this->HeadInTarget = this->HeadInTargetWorks && frame.Capabilities->FramebufferFetch &&
+    frame.Target.Samples == 0 && frame.Target.Framebuffer != 0 && frame.Target.DepthBits > 0 &&
+    maximumBytes == 0;
   this->Store.SetWholeFramebuffer(this->HeadInTarget);
 }
 

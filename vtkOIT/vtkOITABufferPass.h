@@ -32,7 +32,8 @@
  * after the depth test; one depth and colour per pixel and fragment, as in multisampling itself.
  *
  * Geometry passes: 1, when the pool was too small 2, with bands 1 each. Memory: 4 bytes per pixel
- * plus 16 bytes per fragment; 32 per fragment for float32 colours or multisampling. Needs GL 4.3 with ARB_clear_texture (any GL 4.4, Mesa's llvmpipe).
+ * plus 16 bytes per fragment; 32 per fragment for float32 colours or multisampling. Needs GL 4.3
+ * with ARB_clear_texture (any GL 4.4, Mesa's llvmpipe).
  *
  * Exact: yes. Colours are stored as half floats by default: an error of at most 2^-11 of each
  * colour and opacity, clamped to [0, 65504]; FLOAT keeps them as they are. Limits: a prop whose
