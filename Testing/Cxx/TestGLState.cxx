@@ -140,11 +140,11 @@ void CheckProbe(TestReport& report, StateProbe* probe, const std::string& what)
   report.Check(probe->NumberOfRenders > 0, what + ": the pass was not rendered");
   for (const std::string& change : probe->Changes)
   {
-    report.Check(false, what + ": changed " + change);
+    report.Check(false, std::string(what).append(": changed ").append(change));
   }
   for (const std::string& stale : probe->Stale)
   {
-    report.Check(false, what + ": VTK's cache is stale: " + stale);
+    report.Check(false, std::string(what).append(": VTK's cache is stale: ").append(stale));
   }
   probe->NumberOfRenders = 0;
 }

@@ -31,7 +31,7 @@ int TestPassFactory(int, char*[])
     {
       continue;
     }
-    report.Check(std::string(pass->GetAlgorithmName()).size() > 0, name + " has no algorithm name");
+    report.Check(!std::string(pass->GetAlgorithmName()).empty(), name + " has no algorithm name");
     report.Check(vtkTranslucentPass::SafeDownCast(pass->GetTranslucentPass()),
       name + " starts without a vtkTranslucentPass");
     report.Check(pass->GetMaximumNumberOfPeels() == 0, name + ": peels are limited");

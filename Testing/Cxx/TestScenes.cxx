@@ -125,9 +125,10 @@ void BuildImpostors(vtkRenderWindow* window)
     vtkNew<vtkCellArray> vertices; // for the bounds
     for (int i = 0; i < 9; ++i)
     {
+      const int row = i / 3;
       vertices->InsertNextCell(1);
       vertices->InsertCellPoint(
-        points->InsertNextPoint(i % 3 - 1.0 + 0.5 * part, i / 3 - 1.0, 0.3 * std::sin(5.0 * i)));
+        points->InsertNextPoint(i % 3 - 1.0 + 0.5 * part, row - 1.0, 0.3 * std::sin(5.0 * i)));
     }
     vtkNew<vtkPolyData> cloud;
     cloud->SetPoints(points);
