@@ -24,6 +24,13 @@ public:
   {
     this->Pass->Render(state);
     this->NumberOfRenderedProps = this->Pass->GetNumberOfRenderedProps();
+    // With UseDepthPeelingForVolumes the renderer leaves volumes to this pass. They are composited
+    // over the translucent geometry, as without that setting.
+    if (vtkRenderPass* volumes = this->GetVolumetricPass())
+    {
+      volumes->Render(state);
+      this->NumberOfRenderedProps += volumes->GetNumberOfRenderedProps();
+    }
   }
 
   void ReleaseGraphicsResources(vtkWindow* window) override

@@ -9,7 +9,8 @@
  * works for every vtkOpenGLRenderer, also for application subclasses (PyVista, F3D, ParaView).
  *
  * The renderer's UseDepthPeeling is switched on; its MaximumNumberOfPeels and OcclusionRatio are
- * ignored while a pass is installed: the pass's own properties hold. Uninstall() gives back what
+ * ignored while a pass is installed: the pass's own properties hold. Volumes are composited over
+ * the translucent geometry, with UseDepthPeelingForVolumes as without. Uninstall() gives back what
  * Install() found.
  *
  * @sa vtkOITPass

@@ -96,6 +96,7 @@ vtkOITFragmentStore::Counters vtkOITABufferResolver::Resolve(
     counters = store.ReadCounters();
     if (!counters.Overflow && counters.Marks != 0)
     {
+      glMemoryBarrier(Barriers);
       this->DrawTiles(this->SecondChanceStage, frame, store, TilesToTryAgain,
         [this]
         { return this->Shaders.GetResolve(vtkOITABufferShaders::NetworkSizes.back(), true); });
