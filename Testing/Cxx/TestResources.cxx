@@ -145,6 +145,12 @@ int TestResources(int argc, char* argv[])
       // 48 attachments would be 12 MiB, and a store of fragments more. Allocators keep less.
       const double growth = (GetResidentMemory() - memoryBefore) / 1048576.0;
       std::printf("resident memory grew by %.1f MiB\n", growth);
+#ifdef __SANITIZE_ADDRESS__
+      std::printf(
+        "not checked: AddressSanitizer's quarantine keeps freed memory; its leak check at "
+        "the end of the process takes the place of this one\n");
+#else
       report.Check(growth < 8.0, "the process grew by " + std::to_string(growth) + " MiB");
+#endif
     });
 }
