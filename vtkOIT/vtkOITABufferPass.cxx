@@ -299,7 +299,7 @@ bool vtkOITABufferPass::SetShaderParameters(
   {
     if (!impl.HasDepthCopy)
     {
-      impl.DepthCopy.Copy(*impl.Frame, impl.Band, DepthUnit);
+      impl.DepthCopy.Copy(*impl.Frame, impl.Band, impl.Band, DepthUnit);
       impl.HasDepthCopy = true;
     }
     const vtkOITTarget& target = impl.Frame->Target;

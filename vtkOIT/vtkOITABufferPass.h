@@ -57,8 +57,6 @@ public:
   vtkTypeMacro(vtkOITABufferPass, vtkOITPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  const char* GetAlgorithmName() override { return "A-buffer"; }
-
   /// How colour and opacity of a fragment are stored.
   enum FragmentPrecisionType
   {
@@ -90,6 +88,7 @@ protected:
   ~vtkOITABufferPass() override;
 
   void RenderTranslucent(vtkOITFrame& frame) override;
+  const char* GetOwnAlgorithmName() override { return "A-buffer"; }
   std::string FindMissingCapability(const vtkOITCapabilities& capabilities) override;
 
   int FragmentPrecision = HALF;

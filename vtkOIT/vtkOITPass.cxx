@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITPass.h"
 
+#include "vtkOITPassFactory.h"
+
 #include "Private/vtkOITCapabilities.h"
 #include "Private/vtkOITCompatibility.h"
 #include "Private/vtkOITFrame.h"
@@ -101,6 +103,7 @@ void vtkOITPass::ResetStatistics()
   this->MaximumDepthComplexity = 0;
   this->Exact = true;
   this->ErrorBound = 0.0;
+  this->LastAlgorithmName = nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -133,21 +136,14 @@ void vtkOITPass::Render(const vtkRenderState* state)
     return;
   }
   vtkOpenGLClearErrorMacro();
-
   frame.Capabilities = &this->QueryCapabilities(frame.Window);
-  const std::string missing = this->FindMissingCapability(*frame.Capabilities);
-  if (!missing.empty())
-  {
-    this->RenderUnsorted(state, missing);
-    return;
-  }
-
   GLint viewport[4];
   glGetIntegerv(GL_VIEWPORT, viewport);
+  frame.Viewport = { viewport[0], viewport[1], viewport[2], viewport[3] };
   frame.Rectangle = vtkOITFindScreenRectangle(renderer,
     { frame.GetState()->GetPropArray(),
       frame.GetState()->GetPropArray() + frame.GetState()->GetPropArrayCount() },
-    { viewport[0], viewport[1], viewport[2], viewport[3] });
+    frame.Viewport);
   if (glIsEnabled(GL_SCISSOR_TEST))
   {
     GLint scissor[4];
@@ -158,22 +154,93 @@ void vtkOITPass::Render(const vtkRenderState* state)
   {
     return;
   }
+  frame.Target = vtkOITTarget::Query();
+  const std::string missing = this->FindMissing(frame);
+  if (missing.empty())
   {
-    const vtkOITSavedState saved(frame.GLState, frame.Capabilities->HasStorage());
-    frame.Target = vtkOITTarget::Query();
-    this->RenderTranslucent(frame);
+    this->RenderFrame(frame);
+  }
+  else if (!this->RenderByFallback(frame, missing))
+  {
+    this->RenderUnsorted(state, missing);
   }
   vtkOpenGLCheckErrorMacro("failed after Render");
 }
 
 //------------------------------------------------------------------------------
-void vtkOITPass::RenderUnsorted(const vtkRenderState* state, const std::string& reason)
+void vtkOITPass::RenderFrame(vtkOITFrame& frame)
+{
+  const vtkOITSavedState saved(frame.GLState, frame.Capabilities->HasStorage());
+  this->RenderTranslucent(frame);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITPass::FindMissing(const vtkOITFrame& frame)
+{
+  const std::string missing = this->FindMissingCapability(*frame.Capabilities);
+  return missing.empty() ? this->FindMissingInTarget(frame) : missing;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITPass::FindMissingInTarget(const vtkOITFrame&)
+{
+  return {};
+}
+
+//------------------------------------------------------------------------------
+// False when no exact method can render the frame.
+bool vtkOITPass::RenderByFallback(vtkOITFrame& frame, const std::string& reason)
+{
+  for (const char* method : { "abuffer", "dual" })
+  {
+    if (!this->Fallback || this->FallbackMethod != method)
+    {
+      this->Fallback.TakeReference(vtkOITPassFactory::CreatePass(method));
+      this->FallbackMethod = method;
+    }
+    vtkOITPass& pass = *this->Fallback;
+    if (!pass.IsA(this->GetClassName()) && pass.FindMissing(frame).empty())
+    {
+      this->Report("Rendered by another exact method: ", reason);
+      pass.SetTranslucentPass(this->TranslucentPass);
+      pass.SetMaximumBufferSize(this->MaximumBufferSize);
+      pass.ResetStatistics();
+      pass.RenderFrame(frame);
+      this->NumberOfRenderedProps = pass.NumberOfRenderedProps;
+      this->NumberOfGeometryPasses = pass.NumberOfGeometryPasses;
+      this->NumberOfFragments = pass.NumberOfFragments;
+      this->MaximumDepthComplexity = pass.MaximumDepthComplexity;
+      this->BufferSizeInBytes = pass.BufferSizeInBytes;
+      this->Exact = pass.Exact;
+      this->ErrorBound = pass.ErrorBound;
+      this->LastAlgorithmName = pass.GetOwnAlgorithmName();
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPass::Report(const char* consequence, const std::string& reason)
 {
   if (this->ReportedReason != reason)
   {
-    vtkWarningMacro("Translucent props are blended unsorted: " << reason);
+    vtkWarningMacro(<< consequence << reason);
     this->ReportedReason = reason;
   }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOITPass::GetAlgorithmName()
+{
+  return this->LastAlgorithmName ? this->LastAlgorithmName : this->GetOwnAlgorithmName();
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPass::RenderUnsorted(const vtkRenderState* state, const std::string& reason)
+{
+  this->Report("Translucent props are blended unsorted: ", reason);
+  this->LastAlgorithmName = "unsorted blending";
   this->TranslucentPass->Render(state);
   this->NumberOfRenderedProps = this->TranslucentPass->GetNumberOfRenderedProps();
   this->NumberOfGeometryPasses = 1;
@@ -199,6 +266,10 @@ void vtkOITPass::ReleaseGraphicsResources(vtkWindow* window)
   if (this->TranslucentPass)
   {
     this->TranslucentPass->ReleaseGraphicsResources(window);
+  }
+  if (this->Fallback)
+  {
+    this->Fallback->ReleaseGraphicsResources(window);
   }
   this->Capabilities.reset();
   this->CapabilitiesWindow = nullptr;

@@ -13,8 +13,10 @@
  *
  * 1. Find the translucent props and the screen rectangle that their bounds can touch. Nothing
  *    translucent, or nothing on screen: return at once; zero passes, nothing allocated.
- * 2. Ask the context whether it can run this method; if not, say in one line what is missing
- *    and let the delegate blend the props unsorted.
+ * 2. Ask the context whether it can run this method, with this framebuffer; if not, say in one
+ *    line what is missing and let the best exact method that can take over: the A-buffer, else
+ *    dual depth peeling. GetAlgorithmName() tells which. Where none can, the delegate blends the
+ *    props unsorted.
  * 3. RenderTranslucent() of the subclass: geometry passes that write only to the pass's own
  *    storage, then one resolve that composites over what the framebuffer holds,
  *    `C = C_layers + T C_dst`, `A = (1-T) + T A_dst`, inside the rectangle only.
@@ -59,8 +61,9 @@ public:
   vtkRenderPass* GetTranslucentPass();
   ///@}
 
-  /// Name of the algorithm, as in the literature, of the last frame.
-  virtual const char* GetAlgorithmName() = 0;
+  /// Name of the algorithm, as in the literature, that drew the last frame: that of the subclass,
+  /// of the method that took over, or "unsorted blending".
+  const char* GetAlgorithmName();
 
   /// Empty when this method runs in the window's context, otherwise one line that says what is
   /// missing. The window's context must have been created (Render() called once).
@@ -116,8 +119,14 @@ protected:
   /// Step 3 of a frame. State is saved before and restored after.
   virtual void RenderTranslucent(vtkOITFrame& frame) = 0;
 
+  /// Name of the subclass's algorithm, as in the literature.
+  virtual const char* GetOwnAlgorithmName() = 0;
+
   /// Empty, or one line that says what the context lacks for this method.
   virtual std::string FindMissingCapability(const vtkOITCapabilities& capabilities) = 0;
+
+  /// The same for the bound framebuffer of a frame. Default: nothing is missing.
+  virtual std::string FindMissingInTarget(const vtkOITFrame& frame);
 
   /// One geometry pass: the delegate draws the frame's translucent props, with this pass among
   /// their vtkOpenGLRenderPass::RenderPasses(), so that their shaders are changed by it.
@@ -136,12 +145,19 @@ protected:
   double ErrorBound = 0.0;
 
 private:
+  std::string FindMissing(const vtkOITFrame& frame);
+  bool RenderByFallback(vtkOITFrame& frame, const std::string& reason);
+  void RenderFrame(vtkOITFrame& frame);
   void RenderUnsorted(const vtkRenderState* state, const std::string& reason);
+  void Report(const char* consequence, const std::string& reason);
   const vtkOITCapabilities& QueryCapabilities(vtkOpenGLRenderWindow* window);
 
   std::unique_ptr<vtkOITCapabilities> Capabilities; // of CapabilitiesWindow
   vtkOpenGLRenderWindow* CapabilitiesWindow = nullptr;
-  std::string ReportedReason; // so that each reason is reported once, not every frame
+  std::string ReportedReason;           // so that each reason is reported once, not every frame
+  vtkSmartPointer<vtkOITPass> Fallback; // of FallbackMethod, made when first needed
+  const char* FallbackMethod = nullptr;
+  const char* LastAlgorithmName = nullptr;
 
   vtkOITPass(const vtkOITPass&) = delete;
   void operator=(const vtkOITPass&) = delete;

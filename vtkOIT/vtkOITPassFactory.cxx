@@ -3,6 +3,8 @@
 #include "vtkOITPassFactory.h"
 
 #include "vtkOITABufferPass.h"
+#include "vtkOITDepthPeelingPass.h"
+#include "vtkOITDualDepthPeelingPass.h"
 #include "vtkObjectFactory.h"
 
 #include <array>
@@ -21,8 +23,10 @@ vtkOITPass* CreateAs()
   return PassType::New();
 }
 
-const std::array<Method, 1> Methods = { {
+const std::array<Method, 3> Methods = { {
   { "abuffer", CreateAs<vtkOITABufferPass> },
+  { "peel", CreateAs<vtkOITDepthPeelingPass> },
+  { "dual", CreateAs<vtkOITDualDepthPeelingPass> },
 } };
 }
 

@@ -8,11 +8,11 @@
 #include "vtkOITABufferPassCountFS.h"
 #include "vtkOITABufferPassGatherFS.h"
 #include "vtkOITABufferPassNodeFS.h"
-#include "vtkOITABufferPassOutputFS.h"
 #include "vtkOITABufferPassReadFS.h"
 #include "vtkOITABufferPassResolveFS.h"
 #include "vtkOITABufferPassSortFS.h"
 #include "vtkOITABufferPassTileVS.h"
+#include "vtkOITOutputFS.h"
 
 #include <tuple>
 
@@ -100,7 +100,7 @@ std::string vtkOITABufferShaders::Assemble(const char* stage, const std::string&
   vtkOITReplace(text, "//VTK::System::Dec", "//VTK::System::Dec\n" + header);
   vtkOITReplace(text, "//VTK::OIT::Node", vtkOITABufferPassNodeFS);
   vtkOITReplace(text, "//VTK::OIT::Read", vtkOITABufferPassReadFS);
-  vtkOITReplace(text, "//VTK::OIT::Output", vtkOITABufferPassOutputFS);
+  vtkOITReplace(text, "//VTK::OIT::Output", vtkOITOutputFS);
   return text;
 }
 

@@ -5,7 +5,11 @@
 #include "vtkOITCompatibility.h"
 #include "vtkOpenGLRenderWindow.h"
 
+#include <vtksys/SystemTools.hxx>
+
+#include <initializer_list>
 #include <set>
+#include <sstream>
 
 namespace
 {
@@ -18,15 +22,24 @@ std::set<std::string> GetExtensions()
   {
     names.insert(reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i)));
   }
+  std::string hidden;
+  if (vtksys::SystemTools::GetEnv("VTKOIT_HIDE_EXTENSIONS", hidden))
+  {
+    std::istringstream list(hidden);
+    for (std::string name; list >> name;)
+    {
+      names.erase(name);
+    }
+  }
   return names;
 }
 
-std::string FindMissingForStorage(const std::set<std::string>& extensions)
+/// Empty, or what is missing of the names, and what to do. Shaders stay at VTK's #version 150 and
+/// enable extensions by name, so the names must be there even where the GL version includes them.
+std::string FindMissing(const std::set<std::string>& extensions,
+  std::initializer_list<const char*> names, const char* advice)
 {
-  // Shaders stay at VTK's #version 150 and enable these by name, so the names must be there even
-  // where the GL version includes them.
-  for (const char* name : { "GL_ARB_shader_image_load_store", "GL_ARB_shader_storage_buffer_object",
-         "GL_ARB_shading_language_420pack", "GL_ARB_gpu_shader5", "GL_ARB_clear_texture" })
+  for (const char* name : names)
   {
     if (extensions.count(name) == 0)
     {
@@ -35,7 +48,7 @@ std::string FindMissingForStorage(const std::set<std::string>& extensions)
       glGetIntegerv(GL_MAJOR_VERSION, &major);
       glGetIntegerv(GL_MINOR_VERSION, &minor);
       return std::string("OpenGL ") + std::to_string(major) + "." + std::to_string(minor) +
-        " of this context lacks " + name + "; use a driver with OpenGL 4.4 or Mesa's llvmpipe";
+        " of this context lacks " + name + advice;
     }
   }
   return {};
@@ -56,12 +69,22 @@ vtkOITCapabilities::vtkOITCapabilities(vtkOpenGLRenderWindow* window)
   if (!window || !window->IsCurrent() || !glGetStringi)
   {
     this->MissingForStorage = "the window has no OpenGL context yet; call its Render() first";
+    this->MissingForPeeling = this->MissingForStorage;
     return;
   }
   const std::set<std::string> extensions = GetExtensions();
-  this->MissingForStorage = FindMissingForStorage(extensions);
-  this->FramebufferFetch = extensions.count("GL_EXT_shader_framebuffer_fetch") > 0;
-  this->PostDepthCoverage = extensions.count("GL_ARB_post_depth_coverage") > 0;
+  const auto has = [&extensions](const char* name) { return extensions.count(name) > 0; };
+  this->MissingForStorage = FindMissing(extensions,
+    { "GL_ARB_shader_image_load_store", "GL_ARB_shader_storage_buffer_object",
+      "GL_ARB_shading_language_420pack", "GL_ARB_gpu_shader5", "GL_ARB_clear_texture" },
+    "; use a driver with OpenGL 4.4 or Mesa's llvmpipe");
+  this->MissingForPeeling = FindMissing(extensions, { "GL_ARB_explicit_attrib_location" },
+    "; use a driver with OpenGL 3.3 or Mesa's llvmpipe");
+  this->EarlyFragmentTests = has("GL_ARB_shader_image_load_store");
+  this->FragmentInterlock = has("GL_ARB_fragment_shader_interlock");
+  this->TextureBarrier = has("GL_ARB_texture_barrier");
+  this->FramebufferFetch = has("GL_EXT_shader_framebuffer_fetch");
+  this->PostDepthCoverage = has("GL_ARB_post_depth_coverage");
   if (this->HasStorage())
   {
     this->MaximumStorageBlockSize = GetInteger64(GL_MAX_SHADER_STORAGE_BLOCK_SIZE);

@@ -11,6 +11,9 @@ class vtkOpenGLRenderWindow;
 /**
  * What the GL context of a window offers to order-independent transparency. The context must be
  * current when an object is made.
+ *
+ * For tests only: extensions named in the environment variable VTKOIT_HIDE_EXTENSIONS (separated
+ * by blanks) count as absent, so that every capability tier can be tested on one machine.
  */
 class vtkOITCapabilities
 {
@@ -23,6 +26,15 @@ public:
   /// Empty, or one line: the GL version and the first extension that is missing for storage.
   const std::string& GetMissingForStorage() const { return this->MissingForStorage; }
 
+  /// Empty, or one line: what is missing to draw into several float buffers with blending.
+  const std::string& GetMissingForPeeling() const { return this->MissingForPeeling; }
+
+  /// Fragment shaders may ask for the depth test to run before them: ARB_shader_image_load_store.
+  bool EarlyFragmentTests = false;
+  /// ARB_fragment_shader_interlock: fragments of a pixel enter a section of a shader one by one.
+  bool FragmentInterlock = false;
+  /// ARB_texture_barrier: what a draw has written can be read as a texture in the next.
+  bool TextureBarrier = false;
   /// EXT_shader_framebuffer_fetch: a fragment shader reads what the colour buffer holds.
   bool FramebufferFetch = false;
   /// ARB_post_depth_coverage: gl_SampleMaskIn holds only the samples that passed the depth test.
@@ -34,6 +46,7 @@ public:
 
 private:
   std::string MissingForStorage;
+  std::string MissingForPeeling;
 };
 
 #endif

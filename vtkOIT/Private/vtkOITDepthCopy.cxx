@@ -70,9 +70,10 @@ void vtkOITDepthCopy::Allocate(const vtkOITFrame& frame, const vtkOITRectangle& 
 }
 
 //------------------------------------------------------------------------------
-void vtkOITDepthCopy::Copy(const vtkOITFrame& frame, const vtkOITRectangle& rectangle, int unit)
+void vtkOITDepthCopy::Copy(const vtkOITFrame& frame, const vtkOITRectangle& storage,
+  const vtkOITRectangle& rectangle, int unit)
 {
-  this->Allocate(frame, rectangle, unit);
+  this->Allocate(frame, storage, unit);
   GLint source = 0;
   GLint read = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &source);
@@ -87,7 +88,9 @@ void vtkOITDepthCopy::Copy(const vtkOITFrame& frame, const vtkOITRectangle& rect
   vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
   state->vtkglDisable(GL_SCISSOR_TEST);
   const vtkOITRectangle& r = rectangle;
-  glBlitFramebuffer(r.X, r.Y, r.X + r.Width, r.Y + r.Height, 0, 0, r.Width, r.Height,
+  const int x = r.X - storage.X;
+  const int y = r.Y - storage.Y;
+  glBlitFramebuffer(r.X, r.Y, r.X + r.Width, r.Y + r.Height, x, y, x + r.Width, y + r.Height,
     GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, source);
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, read);

@@ -21,11 +21,14 @@ class vtkOITDepthCopy : public vtkOITContextObjects
 public:
   ~vtkOITDepthCopy() override { this->Release(); }
 
-  /// Copies the rectangle out of the framebuffer bound for drawing, which stays bound; its lower
-  /// left corner becomes texel (0, 0). Ends with the texture bound to `unit`, numbered from 0.
-  void Copy(const vtkOITFrame& frame, const vtkOITRectangle& rectangle, int unit);
+  /// Copies the rectangle out of the framebuffer bound for drawing, which stays bound. The texture
+  /// covers `storage`, whose lower left corner becomes texel (0, 0); texels outside of the
+  /// rectangle are undefined. Ends with the texture bound to `unit`, numbered from 0.
+  void Copy(const vtkOITFrame& frame, const vtkOITRectangle& storage,
+    const vtkOITRectangle& rectangle, int unit);
   void Unbind(vtkOpenGLState* state, int unit) const;
 
+  GLuint GetName() const { return this->Texture; }
   std::int64_t GetSizeInBytes() const;
 
   /// Bytes that a copy of the rectangle takes.

@@ -48,6 +48,7 @@ public:
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkOpenGLState* GLState = nullptr;
   const vtkOITCapabilities* Capabilities = nullptr;
+  vtkOITRectangle Viewport;
   /// The only pixels that translucent props can touch.
   vtkOITRectangle Rectangle;
   vtkOITTarget Target;

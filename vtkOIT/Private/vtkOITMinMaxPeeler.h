@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkOITMinMaxPeeler_h
+#define vtkOITMinMaxPeeler_h
+
+#include "vtkOITPeeler.h"
+
+/**
+ * Depth peeling with a sliding window: while the fragments at the bounds of a pixel are blended,
+ * the bounds of the next peel are found among those inside. One-sided it peels the nearest layer
+ * (Everitt 2001), two-sided the nearest and the farthest (Bavoil and Myers 2008).
+ *
+ * Coincident fragments are blended as a group. Sums are added, depths are kept as the maximum: one
+ * blend function for colours, another for alpha, so no GL beyond 3.2 is needed.
+ */
+class vtkOITMinMaxPeeler : public vtkOITPeeler
+{
+public:
+  explicit vtkOITMinMaxPeeler(bool isDual)
+    : IsDual(isDual)
+  {
+  }
+
+  int GetNumberOfSetUpPeels() const override { return 1; }
+  vtkOITPeelState::Layout GetLayout(const vtkOITFrame& frame) const override;
+  int GetBytesPerPixel(const vtkOITFrame& frame) const override;
+  std::int64_t GetSizeInBytes() const override { return this->Gathered.GetSizeInBytes(); }
+
+  void Begin(const vtkOITPeelContext& context) override;
+  void Peel(const vtkOITPeelContext& context, int number) override;
+  void PeelRest(const vtkOITPeelContext& context) override;
+
+  bool WrapGather(std::string& fragmentShader) const override;
+  void SetUniforms(vtkShaderProgram* program, const vtkOITPeelContext& context) override;
+
+  void Release() override;
+
+private:
+  int GetNumberOfLayers() const { return this->IsDual ? 4 : 2; }
+  std::string GetDefinitions() const { return this->IsDual ? "#define OIT_DUAL\n" : ""; }
+
+  bool IsDual;
+  bool IsRest = false;
+  bool InPlace = false; // of ResolveStage's program
+  vtkOITTextureArray Gathered;
+  vtkOITLayerFramebuffer GatherFramebuffer;
+  vtkOITScreenStage ResolveStage;
+};
+
+#endif

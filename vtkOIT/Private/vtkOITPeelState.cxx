@@ -1,0 +1,376 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkOITPeelState.h"
+
+#include "vtkOITCapabilities.h"
+#include "vtkOITFrame.h"
+#include "vtkOITShaderText.h"
+
+#include "vtkOITFullScreenVS.h"
+#include "vtkOITGroupFS.h"
+#include "vtkOITOutputFS.h"
+#include "vtkOITPeelingCompositeFS.h"
+#include "vtkOITPeelingMaskFS.h"
+#include "vtkOITPeelingReduceFS.h"
+#include "vtkOITPeelingStateFS.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace
+{
+constexpr int BlockSize = 16; // pixels a side that Reduce sums up
+
+bool CanWorkInPlace(const vtkOITFrame& frame)
+{
+  return frame.Capabilities->FramebufferFetch && frame.Capabilities->EarlyFragmentTests;
+}
+
+/// Draws at this depth, whatever the vertex shader says.
+class DrawnDepth
+{
+public:
+  explicit DrawnDepth(double depth)
+  {
+    glGetDoublev(GL_DEPTH_RANGE, this->Range.data());
+    glDepthRange(depth, depth);
+  }
+  ~DrawnDepth() { glDepthRange(this->Range[0], this->Range[1]); }
+  DrawnDepth(const DrawnDepth&) = delete;
+  DrawnDepth& operator=(const DrawnDepth&) = delete;
+
+private:
+  std::array<double, 2> Range{};
+};
+}
+
+//------------------------------------------------------------------------------
+int vtkOITPeelState::GetBytesPerPixel(const vtkOITFrame& frame, const Layout& layout)
+{
+  const int state = layout.Layers * vtkOITTextureArray::GetBytesPerTexel(GL_RGBA32F);
+  const int depthCopy = static_cast<int>(vtkOITDepthCopy::GetBytes({ 0, 0, 1, 1 }, frame.Target));
+  return state * (CanWorkInPlace(frame) ? 1 : 2) + depthCopy +
+    vtkOITTextureArray::GetBytesPerTexel(GL_DEPTH_COMPONENT32F);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPeelState::Begin(const vtkOITFrame& frame, const vtkOITRectangle& band,
+  const vtkOITRectangle& storage, const Layout& layout, double transmittanceThreshold)
+{
+  this->Frame = &frame;
+  this->Band = band;
+  this->Storage = storage;
+  if (layout.HasBack != this->TheLayout.HasBack || layout.Side != this->TheLayout.Side)
+  {
+    this->MaskStage.Release();
+    this->CompositeStage.Release();
+  }
+  this->TheLayout = layout;
+  this->TransmittanceThreshold = transmittanceThreshold;
+  this->InPlace = CanWorkInPlace(frame);
+  this->HasMask = false;
+  this->Current = 0;
+
+  vtkOpenGLRenderWindow* window = frame.Window;
+  for (int i = 0; i < (this->InPlace ? 1 : 2); ++i)
+  {
+    this->Arrays[i].Reserve(window, storage.Width, storage.Height, layout.Layers, GL_RGBA32F);
+  }
+  this->MaskDepth.Reserve(window, storage.Width, storage.Height, 1, GL_DEPTH_COMPONENT32F);
+  if (frame.Target.DepthBits > 0)
+  {
+    this->OpaqueDepth.Copy(frame, storage, band, GatheredUnit);
+    this->OpaqueDepth.Unbind(frame.GLState, GatheredUnit);
+  }
+
+  vtkOpenGLState* state = frame.GLState;
+  this->SetViewport();
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglDepthMask(GL_FALSE);
+  const vtkOITTextureArray& array = this->Arrays[0];
+  vtkOITLayerFramebuffer& framebuffer = this->StateFramebuffers[0];
+  framebuffer.Bind(window, &array, 0, layout.Layers, &this->MaskDepth);
+  for (int layer = 0; layer < layout.Layers; ++layer)
+  {
+    const bool hasTransmittance = layer == 0 || (layout.HasBack && layer == 3);
+    const std::array<float, 4> value = layer == 2
+      ? std::array<float, 4>{ -1.0f, 2.0f, 0.0f, 0.0f }
+      : std::array<float, 4>{ 0.0f, 0.0f, 0.0f, hasTransmittance ? 1.0f : 0.0f };
+    glClearBufferfv(GL_COLOR, layer, value.data());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPeelState::SetViewport() const
+{
+  vtkOpenGLState* state = this->Frame->GLState;
+  std::array<GLint, 4> viewport{};
+  glGetIntegerv(GL_VIEWPORT, viewport.data());
+  state->vtkglViewport(
+    viewport[0] - this->Storage.X, viewport[1] - this->Storage.Y, viewport[2], viewport[3]);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(this->Band.X - this->Storage.X, this->Band.Y - this->Storage.Y,
+    this->Band.Width, this->Band.Height);
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITPeelState::BindForGather(vtkOITLayerFramebuffer& framebuffer,
+  const vtkOITTextureArray* layers, int firstLayer, int numberOfLayers)
+{
+  vtkOpenGLState* state = this->Frame->GLState;
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  vtkOpenGLRenderWindow* window = this->Frame->Window;
+  if (this->HasMask)
+  {
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDepthFunc(this->TheLayout.Side == MaskSide::Front ? GL_GEQUAL : GL_LEQUAL);
+    return framebuffer.Bind(window, layers, firstLayer, numberOfLayers, &this->MaskDepth);
+  }
+  const vtkOITDepthCopy* opaque = this->Frame->Target.DepthBits > 0 ? &this->OpaqueDepth : nullptr;
+  return framebuffer.Bind(window, layers, firstLayer, numberOfLayers, opaque);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPeelState::Clear(vtkOITLayerFramebuffer& framebuffer, const vtkOITTextureArray& layers,
+  int firstLayer, int numberOfLayers, const std::array<float, 4>& value) const
+{
+  framebuffer.Bind(this->Frame->Window, &layers, firstLayer, numberOfLayers,
+    static_cast<const vtkOITTextureArray*>(nullptr));
+  for (int i = 0; i < numberOfLayers; ++i)
+  {
+    glClearBufferfv(GL_COLOR, i, value.data());
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITPeelState::AssembleResolve(
+  const char* stage, const std::string& definitions) const
+{
+  std::string header = vtkOITRequireExtensions({ "GL_ARB_explicit_attrib_location" }) + definitions;
+  if (this->InPlace)
+  {
+    header = vtkOITRequireExtensions(
+               { "GL_EXT_shader_framebuffer_fetch", "GL_ARB_shader_image_load_store" }) +
+      header + "#define OIT_IN_PLACE\nlayout(early_fragment_tests) in;\n";
+  }
+  std::string text = stage;
+  vtkOITReplace(text, "//VTK::System::Dec", "//VTK::System::Dec\n" + header);
+  vtkOITReplace(text, "//VTK::OIT::State", vtkOITPeelingStateFS);
+  vtkOITReplace(text, "//VTK::OIT::Group", vtkOITGroupFS);
+  return text;
+}
+
+//------------------------------------------------------------------------------
+// Of the frame's state, screen stages need neither the depth test nor culling nor blending.
+void vtkOITPeelState::DrawScreen(vtkOITScreenStage& stage,
+  const std::function<std::string()>& getFragmentShader,
+  const std::function<void(vtkShaderProgram*)>& setUniforms)
+{
+  vtkOpenGLState::ScopedglEnableDisable cull(this->Frame->GLState, GL_CULL_FACE);
+  this->Frame->GLState->vtkglDisable(GL_CULL_FACE);
+  stage.Render(this->Frame->Window, vtkOITFullScreenVS, getFragmentShader, setUniforms);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPeelState::Resolve(vtkOITScreenStage& stage,
+  const std::function<std::string()>& getFragmentShader,
+  const std::function<void(vtkShaderProgram*)>& setUniforms)
+{
+  vtkOpenGLState* state = this->Frame->GLState;
+  const vtkOITTextureArray& previous = this->Arrays[this->Current];
+  if (!this->InPlace)
+  {
+    this->Current = 1 - this->Current;
+  }
+  const vtkOITTextureArray& array = this->Arrays[this->Current];
+  this->StateFramebuffers[this->Current].Bind(
+    this->Frame->Window, &array, 0, this->TheLayout.Layers, &this->MaskDepth);
+  state->vtkglDisable(GL_BLEND);
+  const bool isFront = this->TheLayout.Side == MaskSide::Front;
+  // Finished pixels have the depth that nothing passes. Not in place, they have to be copied.
+  const bool skipsFinished = this->InPlace && this->HasMask;
+  if (skipsFinished)
+  {
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDepthFunc(isFront ? GL_GREATER : GL_LESS);
+  }
+  else
+  {
+    state->vtkglDisable(GL_DEPTH_TEST);
+  }
+  const DrawnDepth depth(isFront ? 1.0 : 0.0);
+  this->DrawScreen(stage, getFragmentShader,
+    [&](vtkShaderProgram* program)
+    {
+      if (program->IsUniformUsed("oitState"))
+      {
+        previous.Bind(state, StateUnit);
+        program->SetUniformi("oitState", StateUnit);
+      }
+      program->SetUniformf(
+        "oitTransmittanceThreshold", static_cast<float>(this->TransmittanceThreshold));
+      setUniforms(program);
+    });
+  state->vtkglDepthFunc(GL_LEQUAL);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPeelState::Mask()
+{
+  vtkOpenGLState* state = this->Frame->GLState;
+  const bool isFront = this->TheLayout.Side == MaskSide::Front;
+  this->MaskFramebuffer.Bind(this->Frame->Window, nullptr, 0, 0, &this->MaskDepth);
+  state->vtkglDepthMask(GL_TRUE);
+  const float finished = isFront ? 1.0f : 0.0f;
+  glClearBufferfv(GL_DEPTH, 0, &finished);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_ALWAYS);
+  this->DrawScreen(
+    this->MaskStage,
+    [isFront]
+    {
+      std::string text = vtkOITPeelingMaskFS;
+      vtkOITReplace(text, "//VTK::System::Dec",
+        std::string("//VTK::System::Dec\n") + (isFront ? "#define OIT_MASK_FRONT\n" : ""));
+      return text;
+    },
+    [this](vtkShaderProgram* program) { this->BindFor(program); });
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  this->HasMask = true;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPeelState::BindFor(vtkShaderProgram* program) const
+{
+  this->Arrays[this->Current].Bind(this->Frame->GLState, StateUnit);
+  program->SetUniformi("oitState", StateUnit);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPeelState::Composite()
+{
+  vtkOpenGLState* state = this->Frame->GLState;
+  const bool byFetch =
+    this->Frame->Capabilities->FramebufferFetch && this->Frame->Target.CoarseColor;
+  if (byFetch != this->CompositeByFetch)
+  {
+    this->CompositeStage.Release();
+    this->CompositeByFetch = byFetch;
+  }
+  if (byFetch)
+  {
+    state->vtkglDisable(GL_BLEND);
+  }
+  else
+  {
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendEquation(GL_FUNC_ADD);
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  }
+  state->vtkglDisable(GL_DEPTH_TEST);
+  this->DrawScreen(
+    this->CompositeStage,
+    [this, byFetch]
+    {
+      std::string header = byFetch
+        ? vtkOITRequireExtensions({ "GL_EXT_shader_framebuffer_fetch" }) +
+          "#define OIT_FRAMEBUFFER_FETCH\n"
+        : std::string();
+      header += this->TheLayout.HasBack ? "#define OIT_BACK 3\n" : "";
+      std::string text = vtkOITPeelingCompositeFS;
+      vtkOITReplace(text, "//VTK::System::Dec", "//VTK::System::Dec\n" + header);
+      vtkOITReplace(text, "//VTK::OIT::Output", vtkOITOutputFS);
+      return text;
+    },
+    [this](vtkShaderProgram* program)
+    {
+      const int origin[2] = { this->Storage.X, this->Storage.Y };
+      program->SetUniform2i("oitOrigin", origin);
+      this->BindFor(program);
+    });
+}
+
+//------------------------------------------------------------------------------
+vtkOITPeelState::Statistics vtkOITPeelState::Reduce()
+{
+  vtkOpenGLState* state = this->Frame->GLState;
+  const int width = (this->Band.Width + BlockSize - 1) / BlockSize;
+  const int height = (this->Band.Height + BlockSize - 1) / BlockSize;
+  this->Sums.Reserve(this->Frame->Window, width, height, 1, GL_RGBA32F);
+  this->SumsFramebuffer.Bind(
+    this->Frame->Window, &this->Sums, 0, 1, static_cast<const vtkOITTextureArray*>(nullptr));
+  GLint framebuffer = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+  glReadBuffer(GL_COLOR_ATTACHMENT0);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglViewport(0, 0, width, height);
+  state->vtkglScissor(0, 0, width, height);
+  const int x = this->Band.X - this->Storage.X;
+  const int y = this->Band.Y - this->Storage.Y;
+  const int region[4] = { x, y, x + this->Band.Width - 1, y + this->Band.Height - 1 };
+  this->DrawScreen(
+    this->ReduceStage,
+    []
+    {
+      std::string text = vtkOITPeelingReduceFS;
+      vtkOITReplace(text, "//VTK::System::Dec",
+        "//VTK::System::Dec\n#define OIT_BLOCK_SIZE " + std::to_string(BlockSize) + "\n");
+      return text;
+    },
+    [&](vtkShaderProgram* program)
+    {
+      const int first[2] = { region[0], region[1] };
+      const int last[2] = { region[2], region[3] };
+      program->SetUniform2i("oitFirstPixel", first);
+      program->SetUniform2i("oitLastPixel", last);
+      this->BindFor(program);
+    });
+  std::vector<std::array<float, 4>> sums(static_cast<std::size_t>(width) * height);
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, sums.data());
+  vtkOITTextureArray::Unbind(state, StateUnit);
+  vtkOITTextureArray::Unbind(state, GatheredUnit);
+
+  Statistics statistics;
+  for (const std::array<float, 4>& block : sums)
+  {
+    statistics.Fragments += static_cast<std::int64_t>(block[0]);
+    statistics.MostFragments = std::max(statistics.MostFragments, static_cast<int>(block[1]));
+    statistics.ErrorBound = std::max(statistics.ErrorBound, static_cast<double>(block[2]));
+    statistics.Lost += static_cast<std::int64_t>(block[3]);
+  }
+  return statistics;
+}
+
+//------------------------------------------------------------------------------
+std::int64_t vtkOITPeelState::GetSizeInBytes() const
+{
+  return this->Arrays[0].GetSizeInBytes() + this->Arrays[1].GetSizeInBytes() +
+    this->MaskDepth.GetSizeInBytes() + this->Sums.GetSizeInBytes() +
+    this->OpaqueDepth.GetSizeInBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPeelState::Release()
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    this->Arrays[i].Release();
+    this->StateFramebuffers[i].Release();
+  }
+  this->MaskDepth.Release();
+  this->Sums.Release();
+  this->OpaqueDepth.Release();
+  this->MaskFramebuffer.Release();
+  this->SumsFramebuffer.Release();
+  this->MaskStage.Release();
+  this->CompositeStage.Release();
+  this->ReduceStage.Release();
+}

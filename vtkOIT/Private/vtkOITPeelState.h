@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkOITPeelState_h
+#define vtkOITPeelState_h
+
+#include "vtkOITDepthCopy.h"
+#include "vtkOITLayerFramebuffer.h"
+#include "vtkOITScreenStage.h"
+#include "vtkOITTextureArray.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+class vtkOITFrame;
+class vtkShaderProgram;
+
+/**
+ * What all peeling methods share in a frame: the state of each pixel from peel to peel
+ * (vtkOITPeelingStateFS.glsl says which layers), the depth buffer that masks what is peeled, and
+ * the stages on pixels: Resolve of the method, Mask, Composite, Reduce.
+ *
+ * Pixels are addressed as in the framebuffer, so that geometry passes rasterize to the last bit
+ * what the opaque pass did. Only in bands (limited memory) the picture is shifted.
+ */
+class vtkOITPeelState
+{
+public:
+  /// Which fragments the Mask lets the hardware reject, besides those of finished pixels.
+  enum class MaskSide
+  {
+    Front, // nearer than the bounds: the depth test is GL_GEQUAL
+    Back   // farther than the bounds: GL_LEQUAL
+  };
+
+  struct Layout
+  {
+    int Layers = 3;       // of the state, see vtkOITPeelingStateFS.glsl
+    bool HasBack = false; // layer 3 is what was peeled from the back
+    MaskSide Side = MaskSide::Back;
+  };
+
+  struct Statistics
+  {
+    std::int64_t Fragments = 0;
+    int MostFragments = 0; // of a pixel
+    double ErrorBound = 0.0;
+    std::int64_t Lost = 0; // fragments that were dropped
+  };
+
+  /// The texture units used, from 0; mappers count theirs up from 0 and GL has at least 16.
+  static constexpr int StateUnit = 13;
+  static constexpr int GatheredUnit = 14;
+
+  /// Bytes per pixel of the state and of the depth buffers.
+  static int GetBytesPerPixel(const vtkOITFrame& frame, const Layout& layout);
+
+  /// Starts the pixels of `band`: nothing peeled, everything inside the bounds. Viewport and
+  /// scissor are set for drawing into layers. `storage` has the band and the pixel that becomes
+  /// texel (0, 0).
+  void Begin(const vtkOITFrame& frame, const vtkOITRectangle& band, const vtkOITRectangle& storage,
+    const Layout& layout, double transmittanceThreshold);
+
+  /// Binds layers of the method for a geometry pass, under the depth test against opaque geometry
+  /// until there is a Mask, then under that. Clears nothing.
+  bool BindForGather(vtkOITLayerFramebuffer& framebuffer, const vtkOITTextureArray* layers,
+    int firstLayer, int numberOfLayers);
+
+  /// Draws all pixels that are not finished with the method's Resolve stage.
+  void Resolve(vtkOITScreenStage& stage, const std::function<std::string()>& getFragmentShader,
+    const std::function<void(vtkShaderProgram*)>& setUniforms);
+  /// What Resolve stages put in place of //VTK::System::Dec and //VTK::OIT::State.
+  std::string AssembleResolve(const char* stage, const std::string& definitions) const;
+
+  /// Draws the Mask; its samples are the pixels that are not finished.
+  void Mask();
+
+  /// Draws into the framebuffer of the frame. Viewport and scissor as the frame has them.
+  void Composite();
+  Statistics Reduce();
+
+  /// Binds the state to StateUnit and sets the uniform oitState.
+  void BindFor(vtkShaderProgram* program) const;
+
+  /// Fills a layer of the band.
+  void Clear(vtkOITLayerFramebuffer& framebuffer, const vtkOITTextureArray& layers, int firstLayer,
+    int numberOfLayers, const std::array<float, 4>& value) const;
+
+  int GetWidth() const { return this->Storage.Width; }
+  int GetHeight() const { return this->Storage.Height; }
+  bool IsInPlace() const { return this->InPlace; }
+  const vtkOITRectangle& GetBand() const { return this->Band; }
+  const vtkOITRectangle& GetStorage() const { return this->Storage; }
+  /// The texture array that Resolve has written last.
+  const vtkOITTextureArray& GetArray() const { return this->Arrays[this->Current]; }
+
+  std::int64_t GetSizeInBytes() const;
+  void Release();
+
+private:
+  void SetViewport() const;
+  void DrawScreen(vtkOITScreenStage& stage, const std::function<std::string()>& getFragmentShader,
+    const std::function<void(vtkShaderProgram*)>& setUniforms);
+
+  const vtkOITFrame* Frame = nullptr;
+  vtkOITRectangle Band;
+  vtkOITRectangle Storage;
+  Layout TheLayout;
+  double TransmittanceThreshold = 0.0;
+  bool InPlace = false;
+  bool HasMask = false;
+
+  std::array<vtkOITTextureArray, 2> Arrays; // the second one is not used in place
+  int Current = 0;
+  vtkOITTextureArray MaskDepth;
+  vtkOITTextureArray Sums;
+  vtkOITDepthCopy OpaqueDepth;
+  std::array<vtkOITLayerFramebuffer, 2> StateFramebuffers;
+  vtkOITLayerFramebuffer MaskFramebuffer;
+  vtkOITLayerFramebuffer SumsFramebuffer;
+  vtkOITScreenStage MaskStage;
+  vtkOITScreenStage CompositeStage;
+  vtkOITScreenStage ReduceStage;
+  bool CompositeByFetch = false; // of CompositeStage's program
+};
+
+#endif

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkOITPeeler_h
+#define vtkOITPeeler_h
+
+#include "vtkOITPeelState.h"
+#include "vtkType.h" // for vtkMTimeType
+
+#include <functional>
+#include <string>
+
+/// What a peeler works with during a frame (or a band of it).
+struct vtkOITPeelContext
+{
+  vtkOITFrame& Frame;
+  vtkOITPeelState& State;
+  /// One geometry pass: the props are drawn by their mappers' shaders after WrapGather().
+  std::function<void()> RenderGeometry;
+};
+
+/**
+ * The part of a peeling pass that differs from method to method. vtkOITPeelingPass runs it:
+ * Begin(), then Peel() until the Mask finds no pixel with fragments left, then, if it was stopped
+ * before, PeelRest().
+ */
+class vtkOITPeeler
+{
+public:
+  virtual ~vtkOITPeeler() = default;
+
+  /// Peels that only prepare; they do not count for MaximumNumberOfPeels.
+  virtual int GetNumberOfSetUpPeels() const { return 0; }
+
+  virtual vtkOITPeelState::Layout GetLayout(const vtkOITFrame& frame) const = 0;
+  /// Bytes per pixel beside those of the state.
+  virtual int GetBytesPerPixel(const vtkOITFrame& frame) const = 0;
+  virtual std::int64_t GetSizeInBytes() const = 0;
+
+  /// Reserves memory for the band. The state has been started.
+  virtual void Begin(const vtkOITPeelContext& context) = 0;
+  /// The peel of this number, from 0: geometry passes, then Resolve of the state.
+  virtual void Peel(const vtkOITPeelContext& context, int number) = 0;
+  /// Blends all that is left as one group, out of order: one geometry pass.
+  virtual void PeelRest(const vtkOITPeelContext& context) = 0;
+
+  /// Changes a mapper's fragment shader into the Gather stage. False when it has no main().
+  virtual bool WrapGather(std::string& fragmentShader) const = 0;
+  /// Of a program made by WrapGather(), during RenderGeometry().
+  virtual void SetUniforms(vtkShaderProgram* program, const vtkOITPeelContext& context) = 0;
+  /// When WrapGather() last changed.
+  virtual vtkMTimeType GetShaderMTime() const { return 0; }
+
+  virtual void Release() = 0;
+};
+
+#endif

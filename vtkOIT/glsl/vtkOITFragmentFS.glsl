@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The fragment that a mapper's own shader, renamed oitShade(), has made: its depth as every pass
+// sees it, and its colour without what would spoil a sum. Shared by the methods that blend sums.
+
+#ifdef OIT_WRITES_DEPTH
+#define OIT_DEPTH gl_FragDepth
+#else
+#define OIT_DEPTH gl_FragCoord.z
+#endif
+
+// In [0, 1]: clipped triangles reach a little beyond; -0 becomes +0.
+float oitGetDepth()
+{
+  return abs(clamp(OIT_DEPTH, 0.0, 1.0));
+}
+
+// Opacity 0 when the fragment leaves no trace: also for an opacity that is not a number.
+vec4 oitGetColor()
+{
+  const float largest = 1e30;
+  vec3 color = mix(oitFragColor.rgb, vec3(0.0), isnan(oitFragColor.rgb));
+  float opacity = oitFragColor.a > 0.0 ? min(oitFragColor.a, 1.0) : 0.0;
+  return vec4(clamp(color, vec3(-largest), vec3(largest)), opacity);
+}
+
+// -log(1 - opacity), also where 1 - opacity would lose the digits of a faint layer. Bounded, so
+// that sums stay finite; exp(-1e4) is 0.
+float oitGetOpticalDepth(float opacity)
+{
+  float series = opacity * (1.0 + opacity * (0.5 + opacity * (1.0 / 3.0 + opacity * 0.25)));
+  return opacity < 0.01 ? series : min(-log(max(1.0 - opacity, 0.0)), 1e4);
+}

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a peeling pass keeps in each pixel from peel to peel, as layers of one texture array:
+//
+//   0  front: colour and transmittance of the layers peeled from the front
+//   1  statistics: fragments; unused; error bound of what was cut off; fragments that were lost
+//   2  bounds: depth of the nearest and of the farthest fragment left; nearest > farthest: none
+//   3  and on: what a method adds
+//
+// A Resolve stage updates it in place where shaders can read the framebuffer (OIT_IN_PLACE).
+// Otherwise it writes all layers anew, from the array of the last peel.
+
+#define OIT_BOUNDS 2
+#define OIT_NO_BOUNDS vec4(2.0, -2.0, 0.0, 0.0)
+
+#ifdef OIT_IN_PLACE
+#define OIT_STATE_LAYER(i) layout(location = i) inout vec4 oitState##i;
+#define OIT_LOAD_STATE(i)
+#else
+uniform sampler2DArray oitState;
+#define OIT_STATE_LAYER(i) layout(location = i) out vec4 oitState##i;
+#define OIT_LOAD_STATE(i) oitState##i = texelFetch(oitState, ivec3(gl_FragCoord.xy, i), 0);
+#endif
+
+OIT_STATE_LAYER(0)
+OIT_STATE_LAYER(1)
+OIT_STATE_LAYER(2)
+
+uniform float oitTransmittanceThreshold;
+
+void oitLoadCommonState()
+{
+  OIT_LOAD_STATE(0)
+  OIT_LOAD_STATE(1)
+  OIT_LOAD_STATE(2)
+}
+
+// Under: behind what was peeled from the front.
+void oitBlendUnder(vec3 color, float opacity)
+{
+  float transmittance = oitState0.a;
+  oitState0 = vec4(oitState0.rgb + transmittance * color, transmittance - transmittance * opacity);
+}
+
+// Notes the error of something that is left out, or blended out of order, behind this transmittance.
+void oitNoteError(float bound)
+{
+  oitState1.z = max(oitState1.z, bound);
+}
+
+// What is left in the pixel. Nothing is peeled any more behind a transmittance at the threshold.
+void oitSetBounds(float nearest, float farthest)
+{
+  bool isAlive = nearest <= farthest;
+  if (isAlive && oitTransmittanceThreshold > 0.0 && oitState0.a <= oitTransmittanceThreshold)
+  {
+    oitNoteError(oitState0.a);
+    isAlive = false;
+  }
+  oitState2 = isAlive ? vec4(nearest, farthest, 0.0, 0.0) : OIT_NO_BOUNDS;
+}

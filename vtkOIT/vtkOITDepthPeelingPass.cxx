@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkOITDepthPeelingPass.h"
+
+#include "Private/vtkOITMinMaxPeeler.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkOITDepthPeelingPass);
+
+//------------------------------------------------------------------------------
+vtkOITDepthPeelingPass::vtkOITDepthPeelingPass()
+  : vtkOITPeelingPass(std::make_unique<vtkOITMinMaxPeeler>(false))
+{
+}
+
+//------------------------------------------------------------------------------
+vtkOITDepthPeelingPass::~vtkOITDepthPeelingPass() = default;
+
+//------------------------------------------------------------------------------
+void vtkOITDepthPeelingPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

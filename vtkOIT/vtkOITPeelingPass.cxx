@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkOITPeelingPass.h"
+
+#include "Private/vtkOITBands.h"
+#include "Private/vtkOITCapabilities.h"
+#include "Private/vtkOITFrame.h"
+#include "Private/vtkOITOcclusionQueries.h"
+#include "Private/vtkOITPeeler.h"
+#include "Private/vtkOITSavedState.h"
+
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace
+{
+// Without queries and without a limit; what the sample of Bavoil and Myers starts with.
+constexpr int FixedNumberOfPeels = 4;
+}
+
+//------------------------------------------------------------------------------
+class vtkOITPeelingPass::Internals
+{
+public:
+  bool IsFinished(std::size_t peels, std::size_t expected, std::int64_t fewestPixels);
+
+  std::unique_ptr<vtkOITPeeler> Peeler;
+  vtkOITPeelState State;
+  vtkOITBands Bands;
+  vtkOITOcclusionQueries Queries;
+  std::vector<std::size_t> ExpectedPeels; // of each band, from the last frame
+
+  const vtkOITPeelContext* Context = nullptr; // during a frame
+};
+
+//------------------------------------------------------------------------------
+vtkOITPeelingPass::vtkOITPeelingPass(std::unique_ptr<vtkOITPeeler> peeler)
+  : Impl(std::make_unique<Internals>())
+{
+  this->Impl->Peeler = std::move(peeler);
+}
+
+//------------------------------------------------------------------------------
+vtkOITPeelingPass::~vtkOITPeelingPass() = default;
+
+//------------------------------------------------------------------------------
+void vtkOITPeelingPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "UseOcclusionQuery: " << this->UseOcclusionQuery << "\n"
+     << indent << "TransmittanceThreshold: " << this->TransmittanceThreshold << "\n"
+     << indent << "NumberOfPeels: " << this->NumberOfPeels << "\n"
+     << indent << "NumberOfLostFragments: " << this->NumberOfLostFragments << "\n";
+}
+
+//------------------------------------------------------------------------------
+vtkOITPeeler& vtkOITPeelingPass::GetPeeler() const
+{
+  return *this->Impl->Peeler;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITPeelingPass::FindMissingCapability(const vtkOITCapabilities& capabilities)
+{
+  return capabilities.GetMissingForPeeling();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITPeelingPass::FindMissingInTarget(const vtkOITFrame& frame)
+{
+  return frame.Target.Samples > 0
+    ? "peeling keeps one sample a pixel and the framebuffer is multisampled; "
+      "call SetMultiSamples(0) of the render window for this method"
+    : std::string();
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPeelingPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& impl = *this->Impl;
+  impl.State.Release();
+  impl.Peeler->Release();
+  impl.Queries.Release();
+  impl.ExpectedPeels.clear();
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPeelingPass::RenderTranslucent(vtkOITFrame& frame)
+{
+  Internals& impl = *this->Impl;
+  this->NumberOfPeels = 0;
+  this->NumberOfLostFragments = 0;
+  std::int64_t largestBand = frame.Rectangle.GetArea();
+  if (this->MaximumBufferSize > 0)
+  {
+    const int bytesPerPixel =
+      vtkOITPeelState::GetBytesPerPixel(frame, impl.Peeler->GetLayout(frame)) +
+      impl.Peeler->GetBytesPerPixel(frame);
+    // A band may get one row more than its share, of which 1 % is for the statistics.
+    largestBand = this->MaximumBufferSize * 99 / 100 / bytesPerPixel - frame.Rectangle.Width;
+    largestBand = std::clamp<std::int64_t>(largestBand, 1, frame.Rectangle.GetArea());
+    if (this->BufferSizeInBytes > this->MaximumBufferSize)
+    {
+      impl.State.Release(); // from before the limit was set
+      impl.Peeler->Release();
+    }
+  }
+  impl.Bands.Begin(frame.Rectangle, largestBand);
+  vtkOITRectangle band;
+  for (std::size_t number = 0; impl.Bands.GetNext(band); ++number)
+  {
+    this->RenderBand(frame, band, number);
+    impl.Bands.Accept();
+  }
+  impl.ExpectedPeels.resize(impl.Bands.GetNumberOfBands());
+  impl.Bands.Forget();
+  this->BufferSizeInBytes = impl.State.GetSizeInBytes() + impl.Peeler->GetSizeInBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPeelingPass::RenderBand(
+  vtkOITFrame& frame, const vtkOITRectangle& band, std::size_t number)
+{
+  Internals& impl = *this->Impl;
+  // Pixels keep their place in the framebuffer, unless memory is limited.
+  const vtkOITRectangle storage = this->MaximumBufferSize > 0
+    ? band
+    : vtkOITRectangle{ 0, 0, band.X + band.Width, band.Y + band.Height };
+  const vtkOITPeelContext context{ frame, impl.State,
+    [this, &frame] { this->RenderGeometry(frame); } };
+  impl.Context = &context;
+  {
+    const vtkOITSavedState saved(frame.GLState, false);
+    impl.State.Begin(
+      frame, band, storage, impl.Peeler->GetLayout(frame), this->TransmittanceThreshold);
+    impl.Peeler->Begin(context);
+    this->PeelBand(frame, number);
+  }
+  impl.Context = nullptr;
+
+  const vtkOITSavedState saved(frame.GLState, false);
+  frame.GLState->vtkglEnable(GL_SCISSOR_TEST);
+  frame.GLState->vtkglScissor(band.X, band.Y, band.Width, band.Height);
+  frame.GLState->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  frame.DrawToFirstBufferOnly();
+  impl.State.Composite();
+  const vtkOITPeelState::Statistics statistics = impl.State.Reduce();
+  this->NumberOfFragments += statistics.Fragments;
+  this->MaximumDepthComplexity = std::max(this->MaximumDepthComplexity, statistics.MostFragments);
+  this->NumberOfLostFragments += statistics.Lost;
+  this->ErrorBound = std::max(this->ErrorBound, statistics.ErrorBound);
+  this->Exact = this->Exact && statistics.ErrorBound == 0.0 && statistics.Lost == 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPeelingPass::PeelBand(vtkOITFrame& frame, std::size_t number)
+{
+  Internals& impl = *this->Impl;
+  vtkOITPeeler& peeler = *impl.Peeler;
+  if (impl.ExpectedPeels.size() <= number)
+  {
+    impl.ExpectedPeels.resize(number + 1, 0);
+  }
+  const auto fewestPixels =
+    static_cast<std::int64_t>(this->OcclusionRatio * static_cast<double>(frame.Viewport.GetArea()));
+  int limit = this->MaximumNumberOfPeels;
+  if (!this->UseOcclusionQuery && limit == 0)
+  {
+    limit = FixedNumberOfPeels;
+  }
+  const std::size_t setUp = peeler.GetNumberOfSetUpPeels();
+  std::size_t peels = 0;
+  bool isFinished = false;
+  while (!isFinished && (limit == 0 || peels < setUp + limit))
+  {
+    peeler.Peel(*impl.Context, static_cast<int>(peels));
+    if (this->UseOcclusionQuery)
+    {
+      impl.Queries.Begin(frame.Window, peels);
+    }
+    impl.State.Mask();
+    ++peels;
+    if (this->UseOcclusionQuery)
+    {
+      impl.Queries.End();
+      isFinished = impl.IsFinished(peels, impl.ExpectedPeels[number], fewestPixels);
+    }
+  }
+  const bool hasRest = !isFinished || (fewestPixels > 0 && impl.Queries.GetResult(peels - 1) > 0);
+  this->NumberOfPeels += static_cast<int>(peels);
+  if (this->UseOcclusionQuery)
+  {
+    // Fewer may have done, when the result was not there in time.
+    while (isFinished && peels > 1 && impl.Queries.GetResult(peels - 2) <= fewestPixels)
+    {
+      --peels;
+    }
+    impl.ExpectedPeels[number] = peels;
+  }
+  if (hasRest)
+  {
+    peeler.PeelRest(*impl.Context);
+    ++this->NumberOfPeels;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Waits for the last peel only when it is the one that ended the frame before, or a later one.
+bool vtkOITPeelingPass::Internals::IsFinished(
+  std::size_t peels, std::size_t expected, std::int64_t fewestPixels)
+{
+  if (peels >= expected)
+  {
+    return this->Queries.GetResult(peels - 1) <= fewestPixels;
+  }
+  for (std::size_t i = peels; i-- > 0;)
+  {
+    if (this->Queries.IsAvailable(i))
+    {
+      return this->Queries.GetResult(i) <= fewestPixels;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITPeelingPass::PostReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+{
+  return this->Impl->Peeler->WrapGather(fragmentShader);
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITPeelingPass::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
+{
+  Internals& impl = *this->Impl;
+  if (impl.Context)
+  {
+    // An actor may have been told to write depth; translucent ones must not.
+    impl.Context->Frame.GLState->vtkglDepthMask(GL_FALSE);
+    impl.Peeler->SetUniforms(program, *impl.Context);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkOITPeelingPass::GetShaderStageMTime()
+{
+  return this->Impl->Peeler->GetShaderMTime();
+}

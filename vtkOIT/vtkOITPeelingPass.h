@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkOITPeelingPass
+ * @brief   base class of the passes that draw the props once for every few layers
+ *
+ * What all peeling methods share:
+ *
+ * 1. The opaque depth is copied, so that the hardware tests against it while layers are gathered
+ *    into buffers of the pass.
+ * 2. A geometry pass gathers the layers of one peel, a screen pass (Resolve) blends them in float32
+ *    with those of earlier peels and notes which part of the pixel's depths is left.
+ * 3. A screen pass (Mask) writes a depth buffer by which the hardware rejects, before they are
+ *    shaded, fragments that are peeled already and all fragments of finished pixels. An occlusion
+ *    query counts the pixels that are not finished. Props of which no fragment was left in a peel
+ *    are not drawn any more.
+ * 4. Steps 2 and 3 are repeated until no pixel has layers left. What MaximumNumberOfPeels or
+ *    OcclusionRatio cut off is blended into its place as one group, weighted by opacity, in one
+ *    more geometry pass.
+ * 5. The result is composited over what the framebuffer holds.
+ *
+ * Queries do not stall: a frame that follows another one reads results only when they are
+ * available, until the peel that was the last one in the frame before; that one is waited for.
+ *
+ * Coincident fragments, whose float32 window depths are equal to the bit, count once each: as a
+ * group they have the opacity `1 - Π(1 - α_i)` and the mean of their colours weighted by opacity.
+ *
+ * Multisampled framebuffers are left to the A-buffer, see vtkOITPass.
+ *
+ * @sa vtkOITDepthPeelingPass vtkOITDualDepthPeelingPass vtkOITMultiLayerPeelingPass
+ * vtkOITBucketPeelingPass
+ */
+
+#ifndef vtkOITPeelingPass_h
+#define vtkOITPeelingPass_h
+
+#include "vtkOITModule.h" // for the export macro
+#include "vtkOITPass.h"
+
+#include <memory> // for the private parts
+
+class vtkOITPeeler;
+struct vtkOITRectangle;
+
+class VTKOIT_EXPORT vtkOITPeelingPass : public vtkOITPass
+{
+public:
+  vtkTypeMacro(vtkOITPeelingPass, vtkOITPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// On (default): peeling ends when an occlusion query has found no pixel with layers left. Off:
+  /// nothing is asked, and every frame has MaximumNumberOfPeels peels, 4 when that is 0; what they
+  /// leave is blended as one group (Bavoil and Myers 2008, Running the sample).
+  ///@{
+  vtkSetMacro(UseOcclusionQuery, bool);
+  vtkGetMacro(UseOcclusionQuery, bool);
+  vtkBooleanMacro(UseOcclusionQuery, bool);
+  ///@}
+
+  /// Layers behind a transmittance of at most this are skipped: no peel is spent on what changes
+  /// a colour by less. In [0, 1], default 1/512, half a step of 8 bits; 0 skips nothing, so the
+  /// result is exact. GetErrorBound() is the largest transmittance in front of what was skipped.
+  ///@{
+  vtkSetClampMacro(TransmittanceThreshold, double, 0.0, 1.0);
+  vtkGetMacro(TransmittanceThreshold, double);
+  ///@}
+
+  /// Peels of the last frame, of its bands together; those that only prepare and the one that
+  /// blends the rest included.
+  vtkGetMacro(NumberOfPeels, int);
+
+  /// Fragments of the last frame that were dropped because the method could not tell them apart.
+  vtkGetMacro(NumberOfLostFragments, vtkTypeInt64);
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  /// Called by mappers: the change of their shaders, and its uniforms.
+  ///@{
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
+  vtkMTimeType GetShaderStageMTime() override;
+  ///@}
+
+protected:
+  explicit vtkOITPeelingPass(std::unique_ptr<vtkOITPeeler> peeler);
+  ~vtkOITPeelingPass() override;
+
+  void RenderTranslucent(vtkOITFrame& frame) override;
+  std::string FindMissingCapability(const vtkOITCapabilities& capabilities) override;
+  std::string FindMissingInTarget(const vtkOITFrame& frame) override;
+
+  vtkOITPeeler& GetPeeler() const;
+
+  bool UseOcclusionQuery = true;
+  double TransmittanceThreshold = 1.0 / 512;
+  int NumberOfPeels = 0;
+  vtkTypeInt64 NumberOfLostFragments = 0;
+
+private:
+  vtkOITPeelingPass(const vtkOITPeelingPass&) = delete;
+  void operator=(const vtkOITPeelingPass&) = delete;
+
+  void RenderBand(vtkOITFrame& frame, const vtkOITRectangle& band, std::size_t number);
+  void PeelBand(vtkOITFrame& frame, std::size_t number);
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+#endif
