@@ -68,8 +68,6 @@ vtkOITABufferPass::~vtkOITABufferPass() = default;
 void vtkOITABufferPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FragmentPrecision: " << (this->FragmentPrecision == HALF ? "half" : "float")
-     << "\n";
 }
 
 //------------------------------------------------------------------------------

@@ -56,22 +56,6 @@ public:
   static vtkOITABufferPass* New();
   vtkTypeMacro(vtkOITABufferPass, vtkOITPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  /// How colour and opacity of a fragment are stored.
-  enum FragmentPrecisionType
-  {
-    HALF = 0, ///< four half floats, 16 bytes per fragment with depth and link
-    FLOAT = 1 ///< four floats, 32 bytes per fragment; for high dynamic range, negative colours
-  };
-
-  /// HALF (default) or FLOAT.
-  ///@{
-  vtkSetClampMacro(FragmentPrecision, int, HALF, FLOAT);
-  vtkGetMacro(FragmentPrecision, int);
-  void SetFragmentPrecisionToHalf() { this->SetFragmentPrecision(HALF); }
-  void SetFragmentPrecisionToFloat() { this->SetFragmentPrecision(FLOAT); }
-  ///@}
-
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /// Called by mappers: the change of their shaders, and its uniforms.
@@ -90,8 +74,6 @@ protected:
   void RenderTranslucent(vtkOITFrame& frame) override;
   const char* GetOwnAlgorithmName() override { return "A-buffer"; }
   std::string FindMissingCapability(const vtkOITCapabilities& capabilities) override;
-
-  int FragmentPrecision = HALF;
 
 private:
   vtkOITABufferPass(const vtkOITABufferPass&) = delete;

@@ -32,6 +32,8 @@ void vtkOITPass::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "MaximumNumberOfPeels: " << this->MaximumNumberOfPeels << "\n"
      << indent << "OcclusionRatio: " << this->OcclusionRatio << "\n"
      << indent << "MaximumBufferSize: " << this->MaximumBufferSize << "\n"
+     << indent << "FragmentPrecision: " << (this->FragmentPrecision == HALF ? "half" : "float")
+     << "\n"
      << indent << "NumberOfGeometryPasses: " << this->NumberOfGeometryPasses << "\n"
      << indent << "NumberOfFragments: " << this->NumberOfFragments << "\n"
      << indent << "MaximumDepthComplexity: " << this->MaximumDepthComplexity << "\n"
@@ -204,6 +206,7 @@ bool vtkOITPass::RenderByFallback(vtkOITFrame& frame, const std::string& reason)
       this->Report("Rendered by another exact method: ", reason);
       pass.SetTranslucentPass(this->TranslucentPass);
       pass.SetMaximumBufferSize(this->MaximumBufferSize);
+      pass.SetFragmentPrecision(this->FragmentPrecision);
       pass.ResetStatistics();
       pass.RenderFrame(frame);
       this->NumberOfRenderedProps = pass.NumberOfRenderedProps;

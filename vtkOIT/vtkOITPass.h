@@ -91,6 +91,22 @@ public:
   vtkGetMacro(MaximumBufferSize, vtkTypeInt64);
   ///@}
 
+  /// How colour and opacity of a fragment are stored until they are blended.
+  enum FragmentPrecisionType
+  {
+    HALF = 0, ///< half floats; an error of at most 2^-11 of each colour and opacity
+    FLOAT = 1 ///< floats, as they are; for high dynamic range, negative colours
+  };
+
+  /// HALF (default) or FLOAT. What is blended accumulates in float32 with either. Methods that
+  /// keep no fragments ignore it.
+  ///@{
+  vtkSetClampMacro(FragmentPrecision, int, HALF, FLOAT);
+  vtkGetMacro(FragmentPrecision, int);
+  void SetFragmentPrecisionToHalf() { this->SetFragmentPrecision(HALF); }
+  void SetFragmentPrecisionToFloat() { this->SetFragmentPrecision(FLOAT); }
+  ///@}
+
   /// Sets the statistics to those of a frame without translucent props. Render() does so first;
   /// vtkOITRendererHook does so for frames in which the renderer finds nothing translucent, and so
   /// does not render the pass.
@@ -136,6 +152,7 @@ protected:
   int MaximumNumberOfPeels = 0;
   double OcclusionRatio = 0.0;
   vtkTypeInt64 MaximumBufferSize = 0; // bytes
+  int FragmentPrecision = HALF;
 
   int NumberOfGeometryPasses = 0;
   vtkTypeInt64 NumberOfFragments = 0;

@@ -7,6 +7,7 @@
 #include "Private/vtkOITFrame.h"
 #include "Private/vtkOITOcclusionQueries.h"
 #include "Private/vtkOITPeeler.h"
+#include "Private/vtkOITPropCulling.h"
 #include "Private/vtkOITSavedState.h"
 
 #include "vtkOpenGLState.h"
@@ -32,6 +33,8 @@ public:
   vtkOITPeelState State;
   vtkOITBands Bands;
   vtkOITOcclusionQueries Queries;
+  vtkOITPropCulling Culling;
+  bool Culls = false;
   std::vector<std::size_t> ExpectedPeels; // of each band, from the last frame
 
   const vtkOITPeelContext* Context = nullptr; // during a frame
@@ -85,6 +88,7 @@ void vtkOITPeelingPass::ReleaseGraphicsResources(vtkWindow* window)
   impl.State.Release();
   impl.Peeler->Release();
   impl.Queries.Release();
+  impl.Culling.Release();
   impl.ExpectedPeels.clear();
   this->Superclass::ReleaseGraphicsResources(window);
 }
@@ -93,6 +97,7 @@ void vtkOITPeelingPass::ReleaseGraphicsResources(vtkWindow* window)
 void vtkOITPeelingPass::RenderTranslucent(vtkOITFrame& frame)
 {
   Internals& impl = *this->Impl;
+  impl.Peeler->Prepare(frame, this->FragmentPrecision == FLOAT);
   this->NumberOfPeels = 0;
   this->NumberOfLostFragments = 0;
   std::int64_t largestBand = frame.Rectangle.GetArea();
@@ -132,14 +137,23 @@ void vtkOITPeelingPass::RenderBand(
     ? band
     : vtkOITRectangle{ 0, 0, band.X + band.Width, band.Y + band.Height };
   const vtkOITPeelContext context{ frame, impl.State,
-    [this, &frame] { this->RenderGeometry(frame); } };
+    [this, &frame] { this->RenderRemainingGeometry(frame); } };
   impl.Context = &context;
+  impl.Culls = this->UseOcclusionQuery && frame.GetProps().size() > 1;
+  if (impl.Culls)
+  {
+    impl.Culling.Begin(frame);
+  }
   {
     const vtkOITSavedState saved(frame.GLState, false);
     impl.State.Begin(
       frame, band, storage, impl.Peeler->GetLayout(frame), this->TransmittanceThreshold);
     impl.Peeler->Begin(context);
     this->PeelBand(frame, number);
+  }
+  if (impl.Culls)
+  {
+    impl.Culling.End(frame);
   }
   impl.Context = nullptr;
 
@@ -155,6 +169,21 @@ void vtkOITPeelingPass::RenderBand(
   this->NumberOfLostFragments += statistics.Lost;
   this->ErrorBound = std::max(this->ErrorBound, statistics.ErrorBound);
   this->Exact = this->Exact && statistics.ErrorBound == 0.0 && statistics.Lost == 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPeelingPass::RenderRemainingGeometry(vtkOITFrame& frame)
+{
+  vtkOITPropCulling& culling = this->Impl->Culling;
+  if (!this->Impl->Culls)
+  {
+    this->RenderGeometry(frame);
+  }
+  else if (culling.BeginPass(frame))
+  {
+    this->RenderGeometry(frame);
+    culling.EndPass();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -183,7 +212,7 @@ void vtkOITPeelingPass::PeelBand(vtkOITFrame& frame, std::size_t number)
     {
       impl.Queries.Begin(frame.Window, peels);
     }
-    impl.State.Mask();
+    impl.State.Mask(peeler.GetMaskSide(static_cast<int>(peels)));
     ++peels;
     if (this->UseOcclusionQuery)
     {
@@ -237,11 +266,15 @@ bool vtkOITPeelingPass::PostReplaceShaderValues(
 
 //------------------------------------------------------------------------------
 bool vtkOITPeelingPass::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
   Internals& impl = *this->Impl;
   if (impl.Context)
   {
+    if (impl.Culls)
+    {
+      impl.Culling.Draw(prop);
+    }
     // An actor may have been told to write depth; translucent ones must not.
     impl.Context->Frame.GLState->vtkglDepthMask(GL_FALSE);
     impl.Peeler->SetUniforms(program, *impl.Context);

@@ -104,6 +104,7 @@ private:
 
   void RenderBand(vtkOITFrame& frame, const vtkOITRectangle& band, std::size_t number);
   void PeelBand(vtkOITFrame& frame, std::size_t number);
+  void RenderRemainingGeometry(vtkOITFrame& frame);
 
   class Internals;
   std::unique_ptr<Internals> Impl;

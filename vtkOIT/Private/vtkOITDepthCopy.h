@@ -6,6 +6,7 @@
 #include "vtkOITCompatibility.h"
 #include "vtkOITContextObjects.h"
 #include "vtkOITFrame.h"
+#include "vtkOITFramebuffer.h"
 
 #include <cstdint>
 
@@ -28,7 +29,7 @@ public:
     const vtkOITRectangle& rectangle, int unit);
   void Unbind(vtkOpenGLState* state, int unit) const;
 
-  GLuint GetName() const { return this->Texture; }
+  vtkOITAttachment GetAttachment() const { return { this->Texture, -1 }; }
   std::int64_t GetSizeInBytes() const;
 
   /// Bytes that a copy of the rectangle takes.

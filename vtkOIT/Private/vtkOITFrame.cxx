@@ -63,14 +63,20 @@ vtkOITTarget vtkOITTarget::Query()
 
 //------------------------------------------------------------------------------
 vtkOITFrame::vtkOITFrame(const vtkRenderState* state, std::vector<vtkProp*> translucentProps)
-  : Props(std::move(translucentProps))
-  , State(state->GetRenderer())
+  : State(state->GetRenderer())
 {
-  this->State.SetPropArrayAndCount(this->Props.data(), static_cast<int>(this->Props.size()));
+  this->DrawOnly(std::move(translucentProps));
   this->State.SetFrameBuffer(state->GetFrameBuffer());
   this->State.SetRequiredKeys(state->GetRequiredKeys());
   this->Window = vtkOpenGLRenderWindow::SafeDownCast(state->GetRenderer()->GetVTKWindow());
   this->GLState = this->Window ? this->Window->GetState() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITFrame::DrawOnly(std::vector<vtkProp*> props)
+{
+  this->Props = std::move(props);
+  this->State.SetPropArrayAndCount(this->Props.data(), static_cast<int>(this->Props.size()));
 }
 
 //------------------------------------------------------------------------------

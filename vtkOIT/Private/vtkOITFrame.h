@@ -42,12 +42,19 @@ public:
   /// Holds only the translucent props of the state that the pass was given.
   const vtkRenderState* GetState() const { return &this->State; }
 
+  /// The props that the state holds, and a change of them.
+  ///@{
+  const std::vector<vtkProp*>& GetProps() const { return this->Props; }
+  void DrawOnly(std::vector<vtkProp*> props);
+  ///@}
+
   /// Of the bound framebuffer's colour buffers, only the first is drawn to from now on.
   void DrawToFirstBufferOnly() const;
 
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkOpenGLState* GLState = nullptr;
   const vtkOITCapabilities* Capabilities = nullptr;
+  /// Of GL, in pixels of the framebuffer.
   vtkOITRectangle Viewport;
   /// The only pixels that translucent props can touch.
   vtkOITRectangle Rectangle;

@@ -16,7 +16,7 @@ public:
   ~vtkOITOcclusionQueries() override { this->Release(); }
 
   void Begin(vtkOpenGLRenderWindow* window, std::size_t number);
-  void End();
+  static void End();
 
   /// Whether the result can be had without waiting.
   bool IsAvailable(std::size_t number) const;

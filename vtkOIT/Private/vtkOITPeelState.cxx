@@ -64,9 +64,8 @@ void vtkOITPeelState::Begin(const vtkOITFrame& frame, const vtkOITRectangle& ban
   this->Frame = &frame;
   this->Band = band;
   this->Storage = storage;
-  if (layout.HasBack != this->TheLayout.HasBack || layout.Side != this->TheLayout.Side)
+  if (layout.HasBack != this->TheLayout.HasBack)
   {
-    this->MaskStage.Release();
     this->CompositeStage.Release();
   }
   this->TheLayout = layout;
@@ -91,9 +90,8 @@ void vtkOITPeelState::Begin(const vtkOITFrame& frame, const vtkOITRectangle& ban
   this->SetViewport();
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglDepthMask(GL_FALSE);
-  const vtkOITTextureArray& array = this->Arrays[0];
-  vtkOITLayerFramebuffer& framebuffer = this->StateFramebuffers[0];
-  framebuffer.Bind(window, &array, 0, layout.Layers, &this->MaskDepth);
+  this->StateFramebuffers[0].Bind(
+    window, this->Arrays[0].GetAllLayers(), this->MaskDepth.GetLayer(0));
   for (int layer = 0; layer < layout.Layers; ++layer)
   {
     const bool hasTransmittance = layer == 0 || (layout.HasBack && layer == 3);
@@ -118,33 +116,24 @@ void vtkOITPeelState::SetViewport() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkOITPeelState::BindForGather(vtkOITLayerFramebuffer& framebuffer,
-  const vtkOITTextureArray* layers, int firstLayer, int numberOfLayers)
+bool vtkOITPeelState::BindForGather(
+  vtkOITFramebuffer& framebuffer, const std::vector<vtkOITAttachment>& colors)
 {
   vtkOpenGLState* state = this->Frame->GLState;
   state->vtkglDepthMask(GL_FALSE);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  vtkOpenGLRenderWindow* window = this->Frame->Window;
+  vtkOITAttachment depth;
   if (this->HasMask)
   {
     state->vtkglEnable(GL_DEPTH_TEST);
-    state->vtkglDepthFunc(this->TheLayout.Side == MaskSide::Front ? GL_GEQUAL : GL_LEQUAL);
-    return framebuffer.Bind(window, layers, firstLayer, numberOfLayers, &this->MaskDepth);
+    state->vtkglDepthFunc(this->Side == MaskSide::Front ? GL_GEQUAL : GL_LEQUAL);
+    depth = this->MaskDepth.GetLayer(0);
   }
-  const vtkOITDepthCopy* opaque = this->Frame->Target.DepthBits > 0 ? &this->OpaqueDepth : nullptr;
-  return framebuffer.Bind(window, layers, firstLayer, numberOfLayers, opaque);
-}
-
-//------------------------------------------------------------------------------
-void vtkOITPeelState::Clear(vtkOITLayerFramebuffer& framebuffer, const vtkOITTextureArray& layers,
-  int firstLayer, int numberOfLayers, const std::array<float, 4>& value) const
-{
-  framebuffer.Bind(this->Frame->Window, &layers, firstLayer, numberOfLayers,
-    static_cast<const vtkOITTextureArray*>(nullptr));
-  for (int i = 0; i < numberOfLayers; ++i)
+  else if (this->Frame->Target.DepthBits > 0)
   {
-    glClearBufferfv(GL_COLOR, i, value.data());
+    depth = this->OpaqueDepth.GetAttachment();
   }
+  return framebuffer.Bind(this->Frame->Window, colors, depth);
 }
 
 //------------------------------------------------------------------------------
@@ -187,11 +176,10 @@ void vtkOITPeelState::Resolve(vtkOITScreenStage& stage,
   {
     this->Current = 1 - this->Current;
   }
-  const vtkOITTextureArray& array = this->Arrays[this->Current];
   this->StateFramebuffers[this->Current].Bind(
-    this->Frame->Window, &array, 0, this->TheLayout.Layers, &this->MaskDepth);
+    this->Frame->Window, this->Arrays[this->Current].GetAllLayers(), this->MaskDepth.GetLayer(0));
   state->vtkglDisable(GL_BLEND);
-  const bool isFront = this->TheLayout.Side == MaskSide::Front;
+  const bool isFront = this->Side == MaskSide::Front;
   // Finished pixels have the depth that nothing passes. Not in place, they have to be copied.
   const bool skipsFinished = this->InPlace && this->HasMask;
   if (skipsFinished)
@@ -220,18 +208,19 @@ void vtkOITPeelState::Resolve(vtkOITScreenStage& stage,
 }
 
 //------------------------------------------------------------------------------
-void vtkOITPeelState::Mask()
+void vtkOITPeelState::Mask(MaskSide side)
 {
   vtkOpenGLState* state = this->Frame->GLState;
-  const bool isFront = this->TheLayout.Side == MaskSide::Front;
-  this->MaskFramebuffer.Bind(this->Frame->Window, nullptr, 0, 0, &this->MaskDepth);
+  this->Side = side;
+  const bool isFront = side == MaskSide::Front;
+  this->MaskFramebuffer.Bind(this->Frame->Window, {}, this->MaskDepth.GetLayer(0));
   state->vtkglDepthMask(GL_TRUE);
   const float finished = isFront ? 1.0f : 0.0f;
   glClearBufferfv(GL_DEPTH, 0, &finished);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_ALWAYS);
   this->DrawScreen(
-    this->MaskStage,
+    this->MaskStages[isFront ? 0 : 1],
     [isFront]
     {
       std::string text = vtkOITPeelingMaskFS;
@@ -303,11 +292,8 @@ vtkOITPeelState::Statistics vtkOITPeelState::Reduce()
   const int width = (this->Band.Width + BlockSize - 1) / BlockSize;
   const int height = (this->Band.Height + BlockSize - 1) / BlockSize;
   this->Sums.Reserve(this->Frame->Window, width, height, 1, GL_RGBA32F);
-  this->SumsFramebuffer.Bind(
-    this->Frame->Window, &this->Sums, 0, 1, static_cast<const vtkOITTextureArray*>(nullptr));
-  GLint framebuffer = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
-  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+  this->SumsFramebuffer.Bind(this->Frame->Window, { this->Sums.GetLayer(0) });
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->SumsFramebuffer.GetName());
   glReadBuffer(GL_COLOR_ATTACHMENT0);
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_DEPTH_TEST);
@@ -370,7 +356,8 @@ void vtkOITPeelState::Release()
   this->OpaqueDepth.Release();
   this->MaskFramebuffer.Release();
   this->SumsFramebuffer.Release();
-  this->MaskStage.Release();
+  this->MaskStages[0].Release();
+  this->MaskStages[1].Release();
   this->CompositeStage.Release();
   this->ReduceStage.Release();
 }

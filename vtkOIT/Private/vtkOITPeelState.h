@@ -4,7 +4,7 @@
 #define vtkOITPeelState_h
 
 #include "vtkOITDepthCopy.h"
-#include "vtkOITLayerFramebuffer.h"
+#include "vtkOITFramebuffer.h"
 #include "vtkOITScreenStage.h"
 #include "vtkOITTextureArray.h"
 
@@ -38,7 +38,6 @@ public:
   {
     int Layers = 3;       // of the state, see vtkOITPeelingStateFS.glsl
     bool HasBack = false; // layer 3 is what was peeled from the back
-    MaskSide Side = MaskSide::Back;
   };
 
   struct Statistics
@@ -62,10 +61,9 @@ public:
   void Begin(const vtkOITFrame& frame, const vtkOITRectangle& band, const vtkOITRectangle& storage,
     const Layout& layout, double transmittanceThreshold);
 
-  /// Binds layers of the method for a geometry pass, under the depth test against opaque geometry
+  /// Binds textures of the method for a geometry pass, under the depth test against opaque geometry
   /// until there is a Mask, then under that. Clears nothing.
-  bool BindForGather(vtkOITLayerFramebuffer& framebuffer, const vtkOITTextureArray* layers,
-    int firstLayer, int numberOfLayers);
+  bool BindForGather(vtkOITFramebuffer& framebuffer, const std::vector<vtkOITAttachment>& colors);
 
   /// Draws all pixels that are not finished with the method's Resolve stage.
   void Resolve(vtkOITScreenStage& stage, const std::function<std::string()>& getFragmentShader,
@@ -74,7 +72,7 @@ public:
   std::string AssembleResolve(const char* stage, const std::string& definitions) const;
 
   /// Draws the Mask; its samples are the pixels that are not finished.
-  void Mask();
+  void Mask(MaskSide side);
 
   /// Draws into the framebuffer of the frame. Viewport and scissor as the frame has them.
   void Composite();
@@ -82,10 +80,6 @@ public:
 
   /// Binds the state to StateUnit and sets the uniform oitState.
   void BindFor(vtkShaderProgram* program) const;
-
-  /// Fills a layer of the band.
-  void Clear(vtkOITLayerFramebuffer& framebuffer, const vtkOITTextureArray& layers, int firstLayer,
-    int numberOfLayers, const std::array<float, 4>& value) const;
 
   int GetWidth() const { return this->Storage.Width; }
   int GetHeight() const { return this->Storage.Height; }
@@ -110,16 +104,17 @@ private:
   double TransmittanceThreshold = 0.0;
   bool InPlace = false;
   bool HasMask = false;
+  MaskSide Side = MaskSide::Front; // of the Mask
 
   std::array<vtkOITTextureArray, 2> Arrays; // the second one is not used in place
   int Current = 0;
   vtkOITTextureArray MaskDepth;
   vtkOITTextureArray Sums;
   vtkOITDepthCopy OpaqueDepth;
-  std::array<vtkOITLayerFramebuffer, 2> StateFramebuffers;
-  vtkOITLayerFramebuffer MaskFramebuffer;
-  vtkOITLayerFramebuffer SumsFramebuffer;
-  vtkOITScreenStage MaskStage;
+  std::array<vtkOITFramebuffer, 2> StateFramebuffers;
+  vtkOITFramebuffer MaskFramebuffer;
+  vtkOITFramebuffer SumsFramebuffer;
+  std::array<vtkOITScreenStage, 2> MaskStages; // one for each side
   vtkOITScreenStage CompositeStage;
   vtkOITScreenStage ReduceStage;
   bool CompositeByFetch = false; // of CompositeStage's program

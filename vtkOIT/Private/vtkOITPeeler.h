@@ -31,10 +31,20 @@ public:
   /// Peels that only prepare; they do not count for MaximumNumberOfPeels.
   virtual int GetNumberOfSetUpPeels() const { return 0; }
 
+  /// Chooses the shaders and the memory for a frame; before everything below. `hasFloatColor`: the
+  /// colours of fragments are kept as floats instead of half floats.
+  virtual void Prepare(const vtkOITFrame& frame, bool hasFloatColor) = 0;
+
   virtual vtkOITPeelState::Layout GetLayout(const vtkOITFrame& frame) const = 0;
   /// Bytes per pixel beside those of the state.
   virtual int GetBytesPerPixel(const vtkOITFrame& frame) const = 0;
   virtual std::int64_t GetSizeInBytes() const = 0;
+
+  /// Which side the Mask after this peel is for.
+  virtual vtkOITPeelState::MaskSide GetMaskSide(int) const
+  {
+    return vtkOITPeelState::MaskSide::Front;
+  }
 
   /// Reserves memory for the band. The state has been started.
   virtual void Begin(const vtkOITPeelContext& context) = 0;

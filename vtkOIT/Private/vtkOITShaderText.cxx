@@ -7,6 +7,31 @@
 
 namespace
 {
+constexpr const char* OITShade = "void oitShade()";
+
+/// A shader that discards makes llvmpipe blend pixels which failed the early depth test, too; one
+/// that leaves a fragment without opacity does not. Only in main() itself, where `return` can stand
+/// for `discard`.
+void ReplaceDiscard(std::string& shader)
+{
+  const std::size_t begin = shader.find('{', shader.find(OITShade));
+  std::size_t end = begin;
+  int depth = 0;
+  for (; end < shader.size(); ++end)
+  {
+    depth += shader[end] == '{' ? 1 : shader[end] == '}' ? -1 : 0;
+    if (depth == 0)
+    {
+      break;
+    }
+  }
+  static const std::regex discard(R"(\bdiscard\s*;)");
+  shader = shader.substr(0, begin) +
+    std::regex_replace(shader.substr(begin, end - begin), discard,
+      "{ oitFragColor = vec4(0.0); return; }") +
+    shader.substr(end);
+}
+
 /// Batcher's odd-even merge sort, as compare-exchanges of registers. For sizes that are no power of
 /// two it is the network of the next one without the exchanges beyond the size, where nothing that
 /// sorts before could be.
@@ -64,7 +89,8 @@ bool vtkOITWrapFragmentShader(
   {
     return false;
   }
-  shader = std::regex_replace(shader, mainFunction, "void oitShade()");
+  shader = std::regex_replace(shader, mainFunction, OITShade);
+  ReplaceDiscard(shader);
   vtkOITReplace(shader, "gl_FragData[0]", "oitFragColor");
   vtkOITReplace(shader, "fragOutput0", "oitFragColor");
   vtkOITReplace(

@@ -72,6 +72,17 @@ bool vtkOITTextureArray::Reserve(
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkOITAttachment> vtkOITTextureArray::GetAllLayers() const
+{
+  std::vector<vtkOITAttachment> layers;
+  for (int i = 0; i < this->Layers; ++i)
+  {
+    layers.push_back(this->GetLayer(i));
+  }
+  return layers;
+}
+
+//------------------------------------------------------------------------------
 void vtkOITTextureArray::Bind(vtkOpenGLState* state, int unit) const
 {
   state->vtkglActiveTexture(GL_TEXTURE0 + unit);

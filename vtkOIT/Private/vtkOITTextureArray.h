@@ -3,8 +3,7 @@
 #ifndef vtkOITTextureArray_h
 #define vtkOITTextureArray_h
 
-#include "vtkOITCompatibility.h"
-#include "vtkOITContextObjects.h"
+#include "vtkOITFramebuffer.h"
 
 #include <cstdint>
 
@@ -12,7 +11,7 @@ class vtkOpenGLState;
 
 /**
  * Layers of texels of one format, for what a pass keeps in each pixel: a shader reads all layers
- * through one texture unit, and a vtkOITLayerFramebuffer draws into several at once.
+ * through one texture unit, and a vtkOITFramebuffer draws into several at once.
  */
 class vtkOITTextureArray : public vtkOITContextObjects
 {
@@ -23,7 +22,9 @@ public:
   /// afterwards when the answer is false: the texture is a new one.
   bool Reserve(vtkOpenGLRenderWindow* window, int width, int height, int layers, GLenum format);
 
-  GLuint GetName() const { return this->Texture; }
+  /// For drawing into it.
+  vtkOITAttachment GetLayer(int layer) const { return { this->Texture, layer }; }
+  std::vector<vtkOITAttachment> GetAllLayers() const;
   int GetNumberOfLayers() const { return this->Layers; }
 
   /// Binds it to a texture unit, numbered from 0; a sampler2DArray (or usampler2DArray) reads it.

@@ -11,11 +11,6 @@ struct OITGroup
   float Count;
 };
 
-OITGroup oitMakeGroup(vec4 color, vec4 sums)
-{
-  return OITGroup(color.rgb, sums.x, sums.y, sums.z);
-}
-
 // 1 - prod(1 - opacity). For a single fragment it is the opacity itself, without rounding.
 float oitGetGroupOpacity(OITGroup group)
 {

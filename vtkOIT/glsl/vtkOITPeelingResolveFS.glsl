@@ -8,8 +8,44 @@
 //VTK::OIT::State
 //VTK::OIT::Group
 
-uniform sampler2DArray oitGathered;
+uniform sampler2DArray oitSums; // the colour buffers of Gather, without oitDepths
 uniform int oitRest;
+
+vec4 oitLoadSums(int layer)
+{
+  return texelFetch(oitSums, ivec3(gl_FragCoord.xy, layer), 0);
+}
+
+#ifdef OIT_JOINT_BLENDING
+OITGroup oitLoadFront()
+{
+  vec4 sums = oitLoadSums(1);
+  return OITGroup(oitLoadSums(0).rgb, sums.x, sums.y, sums.z);
+}
+OITGroup oitLoadBack()
+{
+  vec4 sums = oitLoadSums(3);
+  return OITGroup(oitLoadSums(2).rgb, sums.x, sums.y, sums.z);
+}
+vec2 oitLoadDepths()
+{
+  return vec2(oitLoadSums(0).a, oitLoadSums(1).a);
+}
+#else
+uniform sampler2DArray oitDepths;
+OITGroup oitLoadFront()
+{
+  return OITGroup(oitLoadSums(0).rgb, oitLoadSums(0).a, oitLoadSums(1).x, oitLoadSums(1).y);
+}
+OITGroup oitLoadBack()
+{
+  return OITGroup(oitLoadSums(2).rgb, oitLoadSums(2).a, oitLoadSums(1).z, oitLoadSums(1).w);
+}
+vec2 oitLoadDepths()
+{
+  return texelFetch(oitDepths, ivec3(gl_FragCoord.xy, 0), 0).xy;
+}
+#endif
 
 #ifdef OIT_DUAL
 OIT_STATE_LAYER(3) // colour and transmittance of the layers peeled from the back
@@ -21,17 +57,10 @@ void oitBlendOver(vec3 color, float opacity)
 }
 #endif
 
-OITGroup oitLoadGroup(int layer)
-{
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  return oitMakeGroup(texelFetch(oitGathered, ivec3(pixel, layer), 0),
-    texelFetch(oitGathered, ivec3(pixel, layer + 1), 0));
-}
-
 void main()
 {
   oitLoadCommonState();
-  OITGroup front = oitLoadGroup(0);
+  OITGroup front = oitLoadFront();
   float opacity = oitGetGroupOpacity(front);
   if (oitRest != 0 && front.Count > 1.5)
   {
@@ -41,12 +70,11 @@ void main()
   oitState1.x += front.Count;
 #ifdef OIT_DUAL
   OIT_LOAD_STATE(3)
-  OITGroup back = oitLoadGroup(2);
+  OITGroup back = oitLoadBack();
   float backOpacity = oitGetGroupOpacity(back);
   oitBlendOver(oitGetGroupColor(back, backOpacity), backOpacity);
   oitState1.x += back.Count;
 #endif
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  oitSetBounds(-texelFetch(oitGathered, ivec3(pixel, 0), 0).a,
-    texelFetch(oitGathered, ivec3(pixel, 1), 0).a);
+  vec2 depths = oitLoadDepths();
+  oitSetBounds(-depths.x, depths.y);
 }

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkOITFramebuffer_h
+#define vtkOITFramebuffer_h
+
+#include "vtkOITCompatibility.h"
+#include "vtkOITContextObjects.h"
+
+#include <vector>
+
+/// What a framebuffer draws into: a layer of a texture array, or a texture of two dimensions.
+struct vtkOITAttachment
+{
+  GLuint Texture = 0; // 0: nothing
+  GLint Layer = -1;   // -1: not an array
+
+  bool operator==(const vtkOITAttachment& other) const
+  {
+    return this->Texture == other.Texture && this->Layer == other.Layer;
+  }
+};
+
+/// A framebuffer of the textures that a pass draws into.
+class vtkOITFramebuffer : public vtkOITContextObjects
+{
+public:
+  ~vtkOITFramebuffer() override { this->Release(); }
+
+  /// Binds it for drawing into all of `colors` (at most 8), under the depth test against `depth`.
+  /// False when the driver does not accept the textures together.
+  bool Bind(vtkOpenGLRenderWindow* window, const std::vector<vtkOITAttachment>& colors,
+    const vtkOITAttachment& depth = {});
+
+  /// Of the colours bound, draws only into the first so many.
+  static void DrawInto(int numberOfColors);
+
+  GLuint GetName() const { return this->Framebuffer; }
+
+private:
+  void Delete() override;
+  void Forget() override;
+
+  GLuint Framebuffer = 0;
+  std::vector<vtkOITAttachment> Colors;
+  vtkOITAttachment Depth;
+  bool IsComplete = false;
+};
+
+#endif
