@@ -5,7 +5,6 @@
 #include "Private/vtkOITBands.h"
 #include "Private/vtkOITCapabilities.h"
 #include "Private/vtkOITFrame.h"
-#include "Private/vtkOITOcclusionQueries.h"
 #include "Private/vtkOITPeeler.h"
 #include "Private/vtkOITPropCulling.h"
 #include "Private/vtkOITSavedState.h"
@@ -32,7 +31,6 @@ public:
   std::unique_ptr<vtkOITPeeler> Peeler;
   vtkOITPeelState State;
   vtkOITBands Bands;
-  vtkOITOcclusionQueries Queries;
   vtkOITPropCulling Culling;
   bool Culls = false;
   std::vector<std::size_t> ExpectedPeels; // of each band, from the last frame
@@ -87,7 +85,6 @@ void vtkOITPeelingPass::ReleaseGraphicsResources(vtkWindow* window)
   Internals& impl = *this->Impl;
   impl.State.Release();
   impl.Peeler->Release();
-  impl.Queries.Release();
   impl.Culling.Release();
   impl.ExpectedPeels.clear();
   this->Superclass::ReleaseGraphicsResources(window);
@@ -146,8 +143,8 @@ void vtkOITPeelingPass::RenderBand(
   }
   {
     const vtkOITSavedState saved(frame.GLState, false);
-    impl.State.Begin(
-      frame, band, storage, impl.Peeler->GetLayout(frame), this->TransmittanceThreshold);
+    impl.State.Begin(frame, band, storage, impl.Peeler->GetLayout(frame),
+      this->TransmittanceThreshold, this->UseOcclusionQuery);
     impl.Peeler->Begin(context);
     this->PeelBand(frame, number);
   }
@@ -208,24 +205,18 @@ void vtkOITPeelingPass::PeelBand(vtkOITFrame& frame, std::size_t number)
   while (!isFinished && (limit == 0 || peels < setUp + limit))
   {
     peeler.Peel(*impl.Context, static_cast<int>(peels));
-    if (this->UseOcclusionQuery)
-    {
-      impl.Queries.Begin(frame.Window, peels);
-    }
-    impl.State.Mask(peeler.GetMaskSide(static_cast<int>(peels)));
+    impl.State.Mask(peeler.GetMaskSide(static_cast<int>(peels)), peels);
     ++peels;
-    if (this->UseOcclusionQuery)
-    {
-      impl.Queries.End();
-      isFinished = impl.IsFinished(peels, impl.ExpectedPeels[number], fewestPixels);
-    }
+    isFinished =
+      this->UseOcclusionQuery && impl.IsFinished(peels, impl.ExpectedPeels[number], fewestPixels);
   }
-  const bool hasRest = !isFinished || (fewestPixels > 0 && impl.Queries.GetResult(peels - 1) > 0);
+  const vtkOITPeelRegion& region = impl.State.GetRegion();
+  const bool hasRest = !isFinished || (fewestPixels > 0 && region.GetRemaining(peels - 1) > 0);
   this->NumberOfPeels += static_cast<int>(peels);
   if (this->UseOcclusionQuery)
   {
     // Fewer may have done, when the result was not there in time.
-    while (isFinished && peels > 1 && impl.Queries.GetResult(peels - 2) <= fewestPixels)
+    while (isFinished && peels > 1 && region.GetRemaining(peels - 2) <= fewestPixels)
     {
       --peels;
     }
@@ -243,15 +234,18 @@ void vtkOITPeelingPass::PeelBand(vtkOITFrame& frame, std::size_t number)
 bool vtkOITPeelingPass::Internals::IsFinished(
   std::size_t peels, std::size_t expected, std::int64_t fewestPixels)
 {
-  if (peels >= expected)
+  vtkOITPeelRegion& region = this->State.GetRegion();
+  for (std::size_t peel = peels; peel-- > 0;)
   {
-    return this->Queries.GetResult(peels - 1) <= fewestPixels;
-  }
-  for (std::size_t i = peels; i-- > 0;)
-  {
-    if (this->Queries.IsAvailable(i))
+    const bool isLast = peel + 1 == peels;
+    if ((isLast && peels >= expected) || region.IsAvailable(peel))
     {
-      return this->Queries.GetResult(i) <= fewestPixels;
+      if (region.GetRemaining(peel) <= fewestPixels)
+      {
+        return true;
+      }
+      region.ShrinkTo(peel);
+      return false;
     }
   }
   return false;

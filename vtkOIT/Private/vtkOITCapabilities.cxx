@@ -82,7 +82,6 @@ vtkOITCapabilities::vtkOITCapabilities(vtkOpenGLRenderWindow* window)
     "; use a driver with OpenGL 3.3 or Mesa's llvmpipe");
   this->EarlyFragmentTests = has("GL_ARB_shader_image_load_store");
   this->FragmentInterlock = has("GL_ARB_fragment_shader_interlock");
-  this->SeparateBlending = has("GL_ARB_draw_buffers_blend") && glBlendEquationi;
   this->TextureBarrier = has("GL_ARB_texture_barrier");
   this->FramebufferFetch = has("GL_EXT_shader_framebuffer_fetch");
   this->PostDepthCoverage = has("GL_ARB_post_depth_coverage");

@@ -33,8 +33,6 @@ public:
   bool EarlyFragmentTests = false;
   /// ARB_fragment_shader_interlock: fragments of a pixel enter a section of a shader one by one.
   bool FragmentInterlock = false;
-  /// ARB_draw_buffers_blend: each colour buffer blends in its own way.
-  bool SeparateBlending = false;
   /// ARB_texture_barrier: what a draw has written can be read as a texture in the next.
   bool TextureBarrier = false;
   /// EXT_shader_framebuffer_fetch: a fragment shader reads what the colour buffer holds.

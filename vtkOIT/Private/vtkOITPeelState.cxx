@@ -59,7 +59,8 @@ int vtkOITPeelState::GetBytesPerPixel(const vtkOITFrame& frame, const Layout& la
 
 //------------------------------------------------------------------------------
 void vtkOITPeelState::Begin(const vtkOITFrame& frame, const vtkOITRectangle& band,
-  const vtkOITRectangle& storage, const Layout& layout, double transmittanceThreshold)
+  const vtkOITRectangle& storage, const Layout& layout, double transmittanceThreshold,
+  bool countsPixels)
 {
   this->Frame = &frame;
   this->Band = band;
@@ -73,6 +74,8 @@ void vtkOITPeelState::Begin(const vtkOITFrame& frame, const vtkOITRectangle& ban
   this->InPlace = CanWorkInPlace(frame);
   this->HasMask = false;
   this->Current = 0;
+  this->Region.Begin(
+    frame, { band.X - storage.X, band.Y - storage.Y, band.Width, band.Height }, countsPixels);
 
   vtkOpenGLRenderWindow* window = frame.Window;
   for (int i = 0; i < (this->InPlace ? 1 : 2); ++i)
@@ -111,13 +114,25 @@ void vtkOITPeelState::SetViewport() const
   state->vtkglViewport(
     viewport[0] - this->Storage.X, viewport[1] - this->Storage.Y, viewport[2], viewport[3]);
   state->vtkglEnable(GL_SCISSOR_TEST);
-  state->vtkglScissor(this->Band.X - this->Storage.X, this->Band.Y - this->Storage.Y,
+  this->Region.SetScissor();
+}
+
+//------------------------------------------------------------------------------
+// Not in place, the state of all pixels goes into another array.
+void vtkOITPeelState::SetScissorOfResolve() const
+{
+  if (this->InPlace)
+  {
+    this->Region.SetScissor();
+    return;
+  }
+  this->Frame->GLState->vtkglScissor(this->Band.X - this->Storage.X, this->Band.Y - this->Storage.Y,
     this->Band.Width, this->Band.Height);
 }
 
 //------------------------------------------------------------------------------
-bool vtkOITPeelState::BindForGather(
-  vtkOITFramebuffer& framebuffer, const std::vector<vtkOITAttachment>& colors)
+bool vtkOITPeelState::BindForGather(vtkOITFramebuffer& framebuffer,
+  const std::vector<vtkOITAttachment>& colors, const std::function<void()>& clear)
 {
   vtkOpenGLState* state = this->Frame->GLState;
   state->vtkglDepthMask(GL_FALSE);
@@ -133,7 +148,11 @@ bool vtkOITPeelState::BindForGather(
   {
     depth = this->OpaqueDepth.GetAttachment();
   }
-  return framebuffer.Bind(this->Frame->Window, colors, depth);
+  const bool isComplete = framebuffer.Bind(this->Frame->Window, colors, depth);
+  this->SetScissorOfResolve();
+  clear();
+  this->Region.SetScissor();
+  return isComplete;
 }
 
 //------------------------------------------------------------------------------
@@ -192,6 +211,7 @@ void vtkOITPeelState::Resolve(vtkOITScreenStage& stage,
     state->vtkglDisable(GL_DEPTH_TEST);
   }
   const DrawnDepth depth(isFront ? 1.0 : 0.0);
+  this->SetScissorOfResolve();
   this->DrawScreen(stage, getFragmentShader,
     [&](vtkShaderProgram* program)
     {
@@ -208,19 +228,22 @@ void vtkOITPeelState::Resolve(vtkOITScreenStage& stage,
 }
 
 //------------------------------------------------------------------------------
-void vtkOITPeelState::Mask(MaskSide side)
+void vtkOITPeelState::Mask(MaskSide side, std::size_t peel)
 {
   vtkOpenGLState* state = this->Frame->GLState;
   this->Side = side;
   const bool isFront = side == MaskSide::Front;
   this->MaskFramebuffer.Bind(this->Frame->Window, {}, this->MaskDepth.GetLayer(0));
   state->vtkglDepthMask(GL_TRUE);
+  this->Region.SetScissor();
   const float finished = isFront ? 1.0f : 0.0f;
   glClearBufferfv(GL_DEPTH, 0, &finished);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_ALWAYS);
-  this->DrawScreen(
-    this->MaskStages[isFront ? 0 : 1],
+  vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
+  state->vtkglDisable(GL_CULL_FACE);
+  this->MaskStages[isFront ? 0 : 1].Render(
+    this->Frame->Window, vtkOITFullScreenVS,
     [isFront]
     {
       std::string text = vtkOITPeelingMaskFS;
@@ -228,7 +251,8 @@ void vtkOITPeelState::Mask(MaskSide side)
         std::string("//VTK::System::Dec\n") + (isFront ? "#define OIT_MASK_FRONT\n" : ""));
       return text;
     },
-    [this](vtkShaderProgram* program) { this->BindFor(program); });
+    [this](vtkShaderProgram* program) { this->BindFor(program); },
+    [this, peel](const std::function<void()>& draw) { this->Region.Count(peel, draw); });
   state->vtkglDepthMask(GL_FALSE);
   state->vtkglDepthFunc(GL_LEQUAL);
   this->HasMask = true;
@@ -351,6 +375,7 @@ void vtkOITPeelState::Release()
     this->Arrays[i].Release();
     this->StateFramebuffers[i].Release();
   }
+  this->Region.Release();
   this->MaskDepth.Release();
   this->Sums.Release();
   this->OpaqueDepth.Release();

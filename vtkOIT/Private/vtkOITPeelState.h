@@ -5,6 +5,7 @@
 
 #include "vtkOITDepthCopy.h"
 #include "vtkOITFramebuffer.h"
+#include "vtkOITPeelRegion.h"
 #include "vtkOITScreenStage.h"
 #include "vtkOITTextureArray.h"
 
@@ -59,11 +60,12 @@ public:
   /// scissor are set for drawing into layers. `storage` has the band and the pixel that becomes
   /// texel (0, 0).
   void Begin(const vtkOITFrame& frame, const vtkOITRectangle& band, const vtkOITRectangle& storage,
-    const Layout& layout, double transmittanceThreshold);
+    const Layout& layout, double transmittanceThreshold, bool countsPixels);
 
   /// Binds textures of the method for a geometry pass, under the depth test against opaque geometry
-  /// until there is a Mask, then under that. Clears nothing.
-  bool BindForGather(vtkOITFramebuffer& framebuffer, const std::vector<vtkOITAttachment>& colors);
+  /// until there is a Mask, then under that. `clear` clears them, where they will be read.
+  bool BindForGather(vtkOITFramebuffer& framebuffer, const std::vector<vtkOITAttachment>& colors,
+    const std::function<void()>& clear);
 
   /// Draws all pixels that are not finished with the method's Resolve stage.
   void Resolve(vtkOITScreenStage& stage, const std::function<std::string()>& getFragmentShader,
@@ -71,8 +73,11 @@ public:
   /// What Resolve stages put in place of //VTK::System::Dec and //VTK::OIT::State.
   std::string AssembleResolve(const char* stage, const std::string& definitions) const;
 
-  /// Draws the Mask; its samples are the pixels that are not finished.
-  void Mask(MaskSide side);
+  /// Draws the Mask of the region after this peel; counts the pixels that are not finished.
+  void Mask(MaskSide side, std::size_t peel);
+
+  /// Where pixels are left to peel. Gather and Mask are limited to it, Resolve is in place.
+  vtkOITPeelRegion& GetRegion() { return this->Region; }
 
   /// Draws into the framebuffer of the frame. Viewport and scissor as the frame has them.
   void Composite();
@@ -97,10 +102,13 @@ private:
   void DrawScreen(vtkOITScreenStage& stage, const std::function<std::string()>& getFragmentShader,
     const std::function<void(vtkShaderProgram*)>& setUniforms);
 
+  void SetScissorOfResolve() const;
+
   const vtkOITFrame* Frame = nullptr;
   vtkOITRectangle Band;
   vtkOITRectangle Storage;
   Layout TheLayout;
+  vtkOITPeelRegion Region;
   double TransmittanceThreshold = 0.0;
   bool InPlace = false;
   bool HasMask = false;

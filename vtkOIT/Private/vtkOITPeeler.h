@@ -33,7 +33,7 @@ public:
 
   /// Chooses the shaders and the memory for a frame; before everything below. `hasFloatColor`: the
   /// colours of fragments are kept as floats instead of half floats.
-  virtual void Prepare(const vtkOITFrame& frame, bool hasFloatColor) = 0;
+  virtual void Prepare(const vtkOITFrame&, bool /*hasFloatColor*/) {}
 
   virtual vtkOITPeelState::Layout GetLayout(const vtkOITFrame& frame) const = 0;
   /// Bytes per pixel beside those of the state.

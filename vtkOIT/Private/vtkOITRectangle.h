@@ -35,6 +35,20 @@ struct vtkOITRectangle
     const int y1 = std::min(this->Y + this->Height, other.Y + other.Height);
     return { x0, y0, std::max(0, x1 - x0), std::max(0, y1 - y0) };
   }
+
+  /// The smallest rectangle that has both.
+  vtkOITRectangle Unite(const vtkOITRectangle& other) const
+  {
+    if (this->IsEmpty() || other.IsEmpty())
+    {
+      return this->IsEmpty() ? other : *this;
+    }
+    const int x0 = std::min(this->X, other.X);
+    const int y0 = std::min(this->Y, other.Y);
+    const int x1 = std::max(this->X + this->Width, other.X + other.Width);
+    const int y1 = std::max(this->Y + this->Height, other.Y + other.Height);
+    return { x0, y0, x1 - x0, y1 - y0 };
+  }
 };
 
 #endif

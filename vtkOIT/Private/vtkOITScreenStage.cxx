@@ -11,6 +11,17 @@ bool vtkOITScreenStage::Render(vtkOpenGLRenderWindow* window, const char* vertex
   const std::function<std::string()>& getFragmentShader,
   const std::function<void(vtkShaderProgram*)>& setUniforms, int numberOfTriangles)
 {
+  return this->Render(window, vertexShader, getFragmentShader, setUniforms,
+    [numberOfTriangles](const std::function<void()>&)
+    { glDrawArrays(GL_TRIANGLES, 0, 3 * numberOfTriangles); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITScreenStage::Render(vtkOpenGLRenderWindow* window, const char* vertexShader,
+  const std::function<std::string()>& getFragmentShader,
+  const std::function<void(vtkShaderProgram*)>& setUniforms,
+  const std::function<void(const std::function<void()>& draw)>& drawing)
+{
   this->Attach(window);
   vtkOpenGLShaderCache* cache = window->GetShaderCache();
   if (!this->Program)
@@ -30,7 +41,7 @@ bool vtkOITScreenStage::Render(vtkOpenGLRenderWindow* window, const char* vertex
   GLint bound = 0;
   glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &bound);
   glBindVertexArray(this->VertexArray);
-  glDrawArrays(GL_TRIANGLES, 0, 3 * numberOfTriangles);
+  drawing([] { glDrawArrays(GL_TRIANGLES, 0, 3); });
   glBindVertexArray(bound);
   return true;
 }

@@ -23,9 +23,16 @@ public:
 
   /// Compiles the shaders when there is no program yet, makes it current, lets `setUniforms` set
   /// its uniforms, and draws. False when they do not compile; the shader cache tells why.
+  ///@{
   bool Render(vtkOpenGLRenderWindow* window, const char* vertexShader,
     const std::function<std::string()>& getFragmentShader,
     const std::function<void(vtkShaderProgram*)>& setUniforms, int numberOfTriangles = 1);
+  /// Draws when `drawing` calls what it is given, as often as it does.
+  bool Render(vtkOpenGLRenderWindow* window, const char* vertexShader,
+    const std::function<std::string()>& getFragmentShader,
+    const std::function<void(vtkShaderProgram*)>& setUniforms,
+    const std::function<void(const std::function<void()>& draw)>& drawing);
+  ///@}
 
 private:
   void Delete() override;

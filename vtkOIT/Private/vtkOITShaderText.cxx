@@ -27,8 +27,8 @@ void ReplaceDiscard(std::string& shader)
   }
   static const std::regex discard(R"(\bdiscard\s*;)");
   shader = shader.substr(0, begin) +
-    std::regex_replace(shader.substr(begin, end - begin), discard,
-      "{ oitFragColor = vec4(0.0); return; }") +
+    std::regex_replace(
+      shader.substr(begin, end - begin), discard, "{ oitFragColor = vec4(0.0); return; }") +
     shader.substr(end);
 }
 

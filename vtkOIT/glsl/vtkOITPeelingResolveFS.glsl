@@ -8,44 +8,18 @@
 //VTK::OIT::State
 //VTK::OIT::Group
 
-uniform sampler2DArray oitSums; // the colour buffers of Gather, without oitDepths
+uniform sampler2DArray oitSums; // the buffers of Gather
 uniform int oitRest;
+
+OITGroup oitLoadGroup(vec4 color, vec4 sums)
+{
+  return OITGroup(color.rgb, sums.x, sums.y, sums.z);
+}
 
 vec4 oitLoadSums(int layer)
 {
   return texelFetch(oitSums, ivec3(gl_FragCoord.xy, layer), 0);
 }
-
-#ifdef OIT_JOINT_BLENDING
-OITGroup oitLoadFront()
-{
-  vec4 sums = oitLoadSums(1);
-  return OITGroup(oitLoadSums(0).rgb, sums.x, sums.y, sums.z);
-}
-OITGroup oitLoadBack()
-{
-  vec4 sums = oitLoadSums(3);
-  return OITGroup(oitLoadSums(2).rgb, sums.x, sums.y, sums.z);
-}
-vec2 oitLoadDepths()
-{
-  return vec2(oitLoadSums(0).a, oitLoadSums(1).a);
-}
-#else
-uniform sampler2DArray oitDepths;
-OITGroup oitLoadFront()
-{
-  return OITGroup(oitLoadSums(0).rgb, oitLoadSums(0).a, oitLoadSums(1).x, oitLoadSums(1).y);
-}
-OITGroup oitLoadBack()
-{
-  return OITGroup(oitLoadSums(2).rgb, oitLoadSums(2).a, oitLoadSums(1).z, oitLoadSums(1).w);
-}
-vec2 oitLoadDepths()
-{
-  return texelFetch(oitDepths, ivec3(gl_FragCoord.xy, 0), 0).xy;
-}
-#endif
 
 #ifdef OIT_DUAL
 OIT_STATE_LAYER(3) // colour and transmittance of the layers peeled from the back
@@ -60,7 +34,9 @@ void oitBlendOver(vec3 color, float opacity)
 void main()
 {
   oitLoadCommonState();
-  OITGroup front = oitLoadFront();
+  vec4 color = oitLoadSums(0);
+  vec4 sums = oitLoadSums(1);
+  OITGroup front = oitLoadGroup(color, sums);
   float opacity = oitGetGroupOpacity(front);
   if (oitRest != 0 && front.Count > 1.5)
   {
@@ -70,11 +46,10 @@ void main()
   oitState1.x += front.Count;
 #ifdef OIT_DUAL
   OIT_LOAD_STATE(3)
-  OITGroup back = oitLoadBack();
+  OITGroup back = oitLoadGroup(oitLoadSums(2), oitLoadSums(3));
   float backOpacity = oitGetGroupOpacity(back);
   oitBlendOver(oitGetGroupColor(back, backOpacity), backOpacity);
   oitState1.x += back.Count;
 #endif
-  vec2 depths = oitLoadDepths();
-  oitSetBounds(-depths.x, depths.y);
+  oitSetBounds(-color.a, sums.a);
 }
