@@ -13,10 +13,29 @@
 #include "vtkShaderProgram.h"
 
 //------------------------------------------------------------------------------
-vtkOITPeelState::Layout vtkOITMinMaxPeeler::GetLayout(const vtkOITFrame&) const
+void vtkOITMinMaxPeeler::Prepare(const vtkOITFrame& frame, bool)
+{
+  const bool inPlace = vtkOITPeelState::CanWorkInPlace(frame);
+  if (inPlace != this->InPlace)
+  {
+    this->InPlace = inPlace;
+    this->ShaderTime.Modified();
+    this->Release();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkOITMinMaxPeeler::GetNumberOfStateLayers(bool inPlace) const
+{
+  const int own = this->IsDual ? 4 : 3;
+  return inPlace ? own + (this->IsDual ? 3 : 2) : own;
+}
+
+//------------------------------------------------------------------------------
+vtkOITPeelState::Layout vtkOITMinMaxPeeler::GetLayout(const vtkOITFrame& frame) const
 {
   vtkOITPeelState::Layout layout;
-  layout.Layers = this->IsDual ? 4 : 3;
+  layout.Layers = this->GetNumberOfStateLayers(vtkOITPeelState::CanWorkInPlace(frame));
   layout.HasBack = this->IsDual;
   return layout;
 }
@@ -31,27 +50,47 @@ vtkOITPeelState::MaskSide vtkOITMinMaxPeeler::GetMaskSide(int number) const
 }
 
 //------------------------------------------------------------------------------
-int vtkOITMinMaxPeeler::GetBytesPerPixel(const vtkOITFrame&) const
+int vtkOITMinMaxPeeler::GetBytesPerPixel(const vtkOITFrame& frame) const
 {
-  return this->GetNumberOfSums() * vtkOITTextureArray::GetBytesPerTexel(GL_RGBA32F);
+  return vtkOITPeelState::CanWorkInPlace(frame)
+    ? 0
+    : this->GetNumberOfSums() * vtkOITTextureArray::GetBytesPerTexel(GL_RGBA32F);
 }
 
 //------------------------------------------------------------------------------
 void vtkOITMinMaxPeeler::Begin(const vtkOITPeelContext& context)
 {
   const vtkOITPeelState& state = context.State;
-  this->Sums.Reserve(
-    context.Frame.Window, state.GetWidth(), state.GetHeight(), this->GetNumberOfSums(), GL_RGBA32F);
-  if (state.IsInPlace() != this->InPlace)
+  if (!this->InPlace)
   {
-    this->InPlace = state.IsInPlace();
-    this->ResolveStage.Release();
+    this->Sums.Reserve(context.Frame.Window, state.GetWidth(), state.GetHeight(),
+      this->GetNumberOfSums(), GL_RGBA32F);
   }
   this->IsRest = false;
 }
 
 //------------------------------------------------------------------------------
-void vtkOITMinMaxPeeler::Peel(const vtkOITPeelContext& context, int number)
+// Resolve has emptied the sums.
+void vtkOITMinMaxPeeler::GatherInPlace(const vtkOITPeelContext& context, bool isSetUp)
+{
+  const vtkOITTextureArray& state = context.State.GetArray();
+  const int first = this->IsDual ? 4 : 3;
+  std::vector<vtkOITAttachment> colors{ state.GetLayer(2) };
+  for (int layer = first; layer < state.GetNumberOfLayers(); ++layer)
+  {
+    colors.push_back(state.GetLayer(layer));
+  }
+  context.State.BindForGather(this->GatherFramebuffer, colors, [] {});
+  if (isSetUp)
+  {
+    vtkOITFramebuffer::DrawInto(1); // depths only: no colours yet
+  }
+  context.Frame.GLState->vtkglDisable(GL_BLEND);
+  context.RenderGeometry();
+}
+
+//------------------------------------------------------------------------------
+void vtkOITMinMaxPeeler::GatherByBlending(const vtkOITPeelContext& context, bool isSetUp)
 {
   vtkOpenGLState* gl = context.Frame.GLState;
   const int sums = this->GetNumberOfSums();
@@ -64,7 +103,7 @@ void vtkOITMinMaxPeeler::Peel(const vtkOITPeelContext& context, int number)
         glClearBufferfv(GL_COLOR, i, nothing);
       }
     });
-  if (number == 0)
+  if (isSetUp)
   {
     vtkOITFramebuffer::DrawInto(2); // depths only: no colours yet
   }
@@ -72,13 +111,30 @@ void vtkOITMinMaxPeeler::Peel(const vtkOITPeelContext& context, int number)
   gl->vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_MAX);
   gl->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   context.RenderGeometry();
+}
+
+//------------------------------------------------------------------------------
+void vtkOITMinMaxPeeler::Peel(const vtkOITPeelContext& context, int number)
+{
+  const bool isSetUp = number == 0;
+  if (this->InPlace)
+  {
+    this->GatherInPlace(context, isSetUp);
+  }
+  else
+  {
+    this->GatherByBlending(context, isSetUp);
+  }
   context.State.Resolve(
     this->ResolveStage,
     [&] { return context.State.AssembleResolve(vtkOITPeelingResolveFS, this->GetDefinitions()); },
     [&](vtkShaderProgram* program)
     {
-      this->Sums.Bind(gl, vtkOITPeelState::GatheredUnit);
-      program->SetUniformi("oitSums", vtkOITPeelState::GatheredUnit);
+      if (!this->InPlace)
+      {
+        this->Sums.Bind(context.Frame.GLState, vtkOITPeelState::GatheredUnit);
+        program->SetUniformi("oitSums", vtkOITPeelState::GatheredUnit);
+      }
       program->SetUniformi("oitRest", this->IsRest ? 1 : 0);
     });
 }
@@ -96,9 +152,19 @@ bool vtkOITMinMaxPeeler::WrapGather(std::string& fragmentShader) const
 {
   std::string header =
     vtkOITRequireExtensions({ "GL_ARB_explicit_attrib_location" }) + this->GetDefinitions();
+  if (this->InPlace)
+  {
+    header = vtkOITRequireExtensions(
+               { "GL_EXT_shader_framebuffer_fetch", "GL_ARB_shader_image_load_store" }) +
+      header + "#define OIT_IN_PLACE\n";
+  }
   if (vtkOITWritesDepth(fragmentShader))
   {
     header += "#define OIT_WRITES_DEPTH\n";
+  }
+  else if (this->InPlace)
+  {
+    header += "layout(early_fragment_tests) in;\n"; // reading the framebuffer would end it
   }
   return vtkOITWrapFragmentShader(
     fragmentShader, header, std::string(vtkOITFragmentFS) + vtkOITPeelingGatherFS);
@@ -107,7 +173,10 @@ bool vtkOITMinMaxPeeler::WrapGather(std::string& fragmentShader) const
 //------------------------------------------------------------------------------
 void vtkOITMinMaxPeeler::SetUniforms(vtkShaderProgram* program, const vtkOITPeelContext& context)
 {
-  context.State.BindFor(program);
+  if (program->IsUniformUsed("oitState"))
+  {
+    context.State.BindFor(program);
+  }
   program->SetUniformi("oitRest", this->IsRest ? 1 : 0);
 }
 

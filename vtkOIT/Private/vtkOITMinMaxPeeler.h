@@ -4,15 +4,18 @@
 #define vtkOITMinMaxPeeler_h
 
 #include "vtkOITPeeler.h"
+#include "vtkTimeStamp.h"
 
 /**
  * Depth peeling with a sliding window: while the fragments at the bounds of a pixel are blended,
  * the bounds of the next peel are found among those inside. One-sided it peels the nearest layer
  * (Everitt 2001), two-sided the nearest and the farthest (Bavoil and Myers 2008).
  *
- * Coincident fragments are blended as a group. Sums are added, depths are kept as the maximum: one
- * way of blending for colours, another for alpha, so no GL beyond 3.2 is needed. Floats throughout:
- * half floats for the sums were not faster on llvmpipe, and separate buffers for depths neither.
+ * Coincident fragments are blended as a group. Where shaders can read the framebuffer, the sums are
+ * layers of the state. Otherwise they are blended: sums are added, depths are kept as the maximum,
+ * one way of blending for colours, another for alpha, so no GL beyond 3.2 is needed. Floats
+ * throughout: half floats for the sums were not faster on llvmpipe, separate buffers for depths
+ * neither.
  */
 class vtkOITMinMaxPeeler : public vtkOITPeeler
 {
@@ -23,6 +26,7 @@ public:
   }
 
   int GetNumberOfSetUpPeels() const override { return 1; }
+  void Prepare(const vtkOITFrame& frame, bool hasFloatColor) override;
   vtkOITPeelState::Layout GetLayout(const vtkOITFrame& frame) const override;
   int GetBytesPerPixel(const vtkOITFrame& frame) const override;
   std::int64_t GetSizeInBytes() const override { return this->Sums.GetSizeInBytes(); }
@@ -35,15 +39,21 @@ public:
   bool WrapGather(std::string& fragmentShader) const override;
   void SetUniforms(vtkShaderProgram* program, const vtkOITPeelContext& context) override;
 
+  vtkMTimeType GetShaderMTime() const override { return this->ShaderTime.GetMTime(); }
+
   void Release() override;
 
 private:
+  void GatherInPlace(const vtkOITPeelContext& context, bool isSetUp);
+  void GatherByBlending(const vtkOITPeelContext& context, bool isSetUp);
   int GetNumberOfSums() const { return this->IsDual ? 4 : 2; }
+  int GetNumberOfStateLayers(bool inPlace) const;
   std::string GetDefinitions() const { return this->IsDual ? "#define OIT_DUAL\n" : ""; }
 
   bool IsDual;
   bool IsRest = false;
-  bool InPlace = false; // of ResolveStage's program
+  bool InPlace = false; // of the shaders
+  vtkTimeStamp ShaderTime;
   vtkOITTextureArray Sums;
   vtkOITFramebuffer GatherFramebuffer;
   vtkOITScreenStage ResolveStage;

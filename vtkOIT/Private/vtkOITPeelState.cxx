@@ -25,11 +25,6 @@ namespace
 {
 constexpr int BlockSize = 16; // pixels a side that Reduce sums up
 
-bool CanWorkInPlace(const vtkOITFrame& frame)
-{
-  return frame.Capabilities->FramebufferFetch && frame.Capabilities->EarlyFragmentTests;
-}
-
 /// Draws at this depth, whatever the vertex shader says.
 class DrawnDepth
 {
@@ -46,6 +41,12 @@ public:
 private:
   std::array<double, 2> Range{};
 };
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITPeelState::CanWorkInPlace(const vtkOITFrame& frame)
+{
+  return frame.Capabilities->FramebufferFetch && frame.Capabilities->EarlyFragmentTests;
 }
 
 //------------------------------------------------------------------------------
@@ -99,7 +100,7 @@ void vtkOITPeelState::Begin(const vtkOITFrame& frame, const vtkOITRectangle& ban
   {
     const bool hasTransmittance = layer == 0 || (layout.HasBack && layer == 3);
     const std::array<float, 4> value = layer == 2
-      ? std::array<float, 4>{ -1.0f, 2.0f, 0.0f, 0.0f }
+      ? std::array<float, 4>{ -1.0f, 2.0f, -2.0f, -2.0f }
       : std::array<float, 4>{ 0.0f, 0.0f, 0.0f, hasTransmittance ? 1.0f : 0.0f };
     glClearBufferfv(GL_COLOR, layer, value.data());
   }

@@ -53,6 +53,9 @@ public:
   static constexpr int StateUnit = 13;
   static constexpr int GatheredUnit = 14;
 
+  /// Whether shaders of this frame read and write the state in place, as colour buffers.
+  static bool CanWorkInPlace(const vtkOITFrame& frame);
+
   /// Bytes per pixel of the state and of the depth buffers.
   static int GetBytesPerPixel(const vtkOITFrame& frame, const Layout& layout);
 

@@ -5,40 +5,66 @@
 // up as the group of coincident fragments that is peeled now; of the fragments inside, the bounds
 // of the next peel are found. In the first pass everything is inside.
 //
-// Colours are added and alpha is kept as the maximum: one way of blending for all buffers.
+// With OIT_IN_PLACE the shader reads and writes what the pixel has. Otherwise sums are blended:
+// colours are added and alpha is kept as the maximum, one way of blending for all buffers.
 
-uniform sampler2DArray oitState;
 uniform int oitRest; // not 0: all that is left counts as one group
 
+const float OIT_NO_DEPTH = -2.0;
+
+#ifdef OIT_IN_PLACE
+layout(location = 0) inout vec4 oitBounds; // nearest, farthest; -nearest and farthest inside
+layout(location = 1) inout vec4 oitFront;  // sums of opacity times colour and of opacity
+layout(location = 2) inout vec4 oitGroup;  // opacity of the group and count: front, back
+#ifdef OIT_DUAL
+layout(location = 3) inout vec4 oitBack;
+#endif
+#else
+uniform sampler2DArray oitState;
 layout(location = 0) out vec4 oitFront;     // sum of opacity times colour; -depth of the nearest
 layout(location = 1) out vec4 oitFrontSums; // opacity, optical depth, count; depth of the farthest
 #ifdef OIT_DUAL
 layout(location = 2) out vec4 oitBack;
 layout(location = 3) out vec4 oitBackSums;
 #endif
-
-const float OIT_NO_DEPTH = -2.0;
+#endif
 
 void main()
 {
   oitShade();
   float depth = oitGetDepth();
   vec4 color = oitGetColor();
+#ifdef OIT_IN_PLACE
+  vec2 bounds = oitBounds.xy;
+#else
   vec2 bounds = texelFetch(oitState, ivec3(gl_FragCoord.xy, 2), 0).xy;
+#endif
   bool isLeft = color.a > 0.0 && depth >= bounds.x && depth <= bounds.y;
   bool isFront = isLeft && (oitRest != 0 || depth == bounds.x);
 #ifdef OIT_DUAL
   bool isBack = isLeft && !isFront && depth == bounds.y;
-  bool isInside = isLeft && !isFront && !isBack;
 #else
-  bool isInside = isLeft && !isFront;
+  const bool isBack = false;
 #endif
+  vec2 inside = isLeft && !isFront && !isBack ? vec2(-depth, depth) : vec2(OIT_NO_DEPTH);
   vec3 weighted = color.a * color.rgb;
+#ifdef OIT_IN_PLACE
+  oitBounds.zw = max(oitBounds.zw, inside);
+  float frontOpacity = isFront ? color.a : 0.0;
+  float backOpacity = isBack ? color.a : 0.0;
+  oitFront += isFront ? vec4(weighted, color.a) : vec4(0.0);
+  oitGroup += vec4((1.0 - oitGroup.x) * frontOpacity, isFront ? 1.0 : 0.0,
+    (1.0 - oitGroup.z) * backOpacity, isBack ? 1.0 : 0.0);
+#ifdef OIT_DUAL
+  oitBack += isBack ? vec4(weighted, color.a) : vec4(0.0);
+#endif
+#else
   vec3 sums = vec3(color.a, oitGetOpticalDepth(color.a), 1.0);
-  oitFront = vec4(isFront ? weighted : vec3(0.0), isInside ? -depth : OIT_NO_DEPTH);
-  oitFrontSums = vec4(isFront ? sums : vec3(0.0), isInside ? depth : OIT_NO_DEPTH);
+  oitFront = vec4(isFront ? weighted : vec3(0.0), inside.x);
+  oitFrontSums = vec4(isFront ? sums : vec3(0.0), inside.y);
 #ifdef OIT_DUAL
   oitBack = vec4(isBack ? weighted : vec3(0.0), OIT_NO_DEPTH);
   oitBackSums = vec4(isBack ? sums : vec3(0.0), OIT_NO_DEPTH);
+#endif
 #endif
 }

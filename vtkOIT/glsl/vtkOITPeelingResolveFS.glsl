@@ -8,18 +8,7 @@
 //VTK::OIT::State
 //VTK::OIT::Group
 
-uniform sampler2DArray oitSums; // the buffers of Gather
 uniform int oitRest;
-
-OITGroup oitLoadGroup(vec4 color, vec4 sums)
-{
-  return OITGroup(color.rgb, sums.x, sums.y, sums.z);
-}
-
-vec4 oitLoadSums(int layer)
-{
-  return texelFetch(oitSums, ivec3(gl_FragCoord.xy, layer), 0);
-}
 
 #ifdef OIT_DUAL
 OIT_STATE_LAYER(3) // colour and transmittance of the layers peeled from the back
@@ -31,25 +20,79 @@ void oitBlendOver(vec3 color, float opacity)
 }
 #endif
 
+// What Gather has summed up: in place as layers of the state, emptied again for the next peel, or
+// the buffers that it blended into.
+#ifdef OIT_IN_PLACE
+#ifdef OIT_DUAL
+OIT_STATE_LAYER(4) // front
+OIT_STATE_LAYER(5) // group
+OIT_STATE_LAYER(6) // back
+#define OIT_FRONT oitState4
+#define OIT_GROUP oitState5
+#define OIT_BACK oitState6
+#else
+OIT_STATE_LAYER(3)
+OIT_STATE_LAYER(4)
+#define OIT_FRONT oitState3
+#define OIT_GROUP oitState4
+#endif
+#else
+uniform sampler2DArray oitSums;
+vec4 oitLoadSums(int layer)
+{
+  return texelFetch(oitSums, ivec3(gl_FragCoord.xy, layer), 0);
+}
+#endif
+
 void main()
 {
   oitLoadCommonState();
+#ifdef OIT_IN_PLACE
+  vec4 group = OIT_GROUP;
+  OITGroup front = OITGroup(OIT_FRONT.rgb, OIT_FRONT.a, 0.0, group.y);
+  float opacity = group.x;
+  vec2 depths = oitState2.zw;
+#else
   vec4 color = oitLoadSums(0);
   vec4 sums = oitLoadSums(1);
-  OITGroup front = oitLoadGroup(color, sums);
+  OITGroup front = OITGroup(color.rgb, sums.x, sums.y, sums.z);
   float opacity = oitGetGroupOpacity(front);
+  vec2 depths = vec2(color.a, sums.a);
+#endif
   if (oitRest != 0 && front.Count > 1.5)
   {
     oitNoteError(oitState0.a * opacity);
   }
   oitBlendUnder(oitGetGroupColor(front, opacity), opacity);
   oitState1.x += front.Count;
+
 #ifdef OIT_DUAL
+#ifdef OIT_IN_PLACE
+  OITGroup back = OITGroup(OIT_BACK.rgb, OIT_BACK.a, 0.0, OIT_GROUP.w);
+  float backOpacity = OIT_GROUP.z;
+#else
   OIT_LOAD_STATE(3)
-  OITGroup back = oitLoadGroup(oitLoadSums(2), oitLoadSums(3));
+  vec4 backColor = oitLoadSums(2);
+  vec4 backSums = oitLoadSums(3);
+  OITGroup back = OITGroup(backColor.rgb, backSums.x, backSums.y, backSums.z);
   float backOpacity = oitGetGroupOpacity(back);
+#endif
   oitBlendOver(oitGetGroupColor(back, backOpacity), backOpacity);
   oitState1.x += back.Count;
 #endif
-  oitSetBounds(-color.a, sums.a);
+
+  oitSetBounds(-depths.x, depths.y);
+#ifdef OIT_IN_PLACE
+  oitState2.zw = vec2(-2.0);
+  // By halves: Mesa 22.3 takes a variable that is assigned once, a constant, for a constant, and
+  // forgets that an inout variable had a value before.
+  OIT_FRONT.xy = vec2(0.0);
+  OIT_FRONT.zw = vec2(0.0);
+  OIT_GROUP.xy = vec2(0.0);
+  OIT_GROUP.zw = vec2(0.0);
+#ifdef OIT_DUAL
+  OIT_BACK.xy = vec2(0.0);
+  OIT_BACK.zw = vec2(0.0);
+#endif
+#endif
 }

@@ -39,8 +39,10 @@ void oitLoadCommonState()
 // Under: behind what was peeled from the front.
 void oitBlendUnder(vec3 color, float opacity)
 {
-  float transmittance = oitState0.a;
-  oitState0 = vec4(oitState0.rgb + transmittance * color, transmittance - transmittance * opacity);
+  vec4 front = oitState0;
+  front.rgb += front.a * color;
+  front.a -= front.a * opacity;
+  oitState0 = front;
 }
 
 // Notes the error of something that is left out, or blended out of order, behind this transmittance.
