@@ -18,7 +18,7 @@
  * with a depth texture of another format, so no layer is lost or peeled twice by rounding; the next
  * depth is found by MAX blending, so coincident fragments are all counted.
  *
- * Geometry passes: N + 1 for N layers. Memory: 92 bytes per pixel, 140 where shaders cannot read
+ * Geometry passes: N + 1 for N layers. Memory: 88 bytes per pixel, 136 where shaders cannot read
  * the framebuffer. Needs GL 3.2 with ARB_explicit_attrib_location.
  *
  * Exact: yes, with TransmittanceThreshold 0 and no limit on the number of peels; otherwise within

@@ -50,11 +50,9 @@ void main()
   vec3 weighted = color.a * color.rgb;
 #ifdef OIT_IN_PLACE
   oitBounds.zw = max(oitBounds.zw, inside);
-  float frontOpacity = isFront ? color.a : 0.0;
-  float backOpacity = isBack ? color.a : 0.0;
+  vec4 added = vec4(isFront ? color.a : 0.0, float(isFront), isBack ? color.a : 0.0, float(isBack));
+  oitGroup += (1.0 - oitGroup * vec4(1.0, 0.0, 1.0, 0.0)) * added;
   oitFront += isFront ? vec4(weighted, color.a) : vec4(0.0);
-  oitGroup += vec4((1.0 - oitGroup.x) * frontOpacity, isFront ? 1.0 : 0.0,
-    (1.0 - oitGroup.z) * backOpacity, isBack ? 1.0 : 0.0);
 #ifdef OIT_DUAL
   oitBack += isBack ? vec4(weighted, color.a) : vec4(0.0);
 #endif
