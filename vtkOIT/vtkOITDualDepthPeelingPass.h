@@ -23,7 +23,7 @@
  * colours are added instead of kept as a maximum, so coincident fragments are all counted, and
  * colours may be of any size and sign.
  *
- * Geometry passes: ⌈N/2⌉ + 1 for N layers, at most ⌊N/2⌋ + 2. Memory: 140 bytes per pixel, 204
+ * Geometry passes: ⌈N/2⌉ + 1 for N layers, at most ⌊N/2⌋ + 2. Memory: 120 bytes per pixel, 200
  * where shaders cannot read the framebuffer. Needs GL 3.2 with ARB_explicit_attrib_location.
  *
  * Exact: yes, with TransmittanceThreshold 0 and no limit on the number of peels; otherwise within

@@ -20,6 +20,18 @@ namespace
 {
 // Without queries and without a limit; what the sample of Bavoil and Myers starts with.
 constexpr int FixedNumberOfPeels = 4;
+
+/// Pixels keep their place in the framebuffer. In steps, so that a moving camera does not make
+/// every frame allocate.
+vtkOITRectangle FindStorage(const vtkOITFrame& frame, const vtkOITRectangle& band)
+{
+  constexpr int step = 64;
+  const vtkOITRectangle& viewport = frame.Viewport;
+  const auto extend = [](int end, int largest)
+  { return std::min((end + step - 1) / step * step, largest); };
+  return { 0, 0, extend(band.X + band.Width, viewport.X + viewport.Width),
+    extend(band.Y + band.Height, viewport.Y + viewport.Height) };
+}
 }
 
 //------------------------------------------------------------------------------
@@ -129,10 +141,7 @@ void vtkOITPeelingPass::RenderBand(
   vtkOITFrame& frame, const vtkOITRectangle& band, std::size_t number)
 {
   Internals& impl = *this->Impl;
-  // Pixels keep their place in the framebuffer, unless memory is limited.
-  const vtkOITRectangle storage = this->MaximumBufferSize > 0
-    ? band
-    : vtkOITRectangle{ 0, 0, band.X + band.Width, band.Y + band.Height };
+  const vtkOITRectangle storage = this->MaximumBufferSize > 0 ? band : FindStorage(frame, band);
   const vtkOITPeelContext context{ frame, impl.State,
     [this, &frame] { this->RenderRemainingGeometry(frame); } };
   impl.Context = &context;

@@ -43,6 +43,12 @@ bool vtkOITFramebuffer::Bind(vtkOpenGLRenderWindow* window,
         i < colors.size() ? colors[i] : vtkOITAttachment());
     }
     AttachTo(GL_DEPTH_ATTACHMENT, depth);
+    if (colors.empty())
+    {
+      // Before GL 4.2 a read buffer without an attachment makes a framebuffer incomplete.
+      window->GetState()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->Framebuffer);
+      glReadBuffer(GL_NONE);
+    }
     this->Colors = colors;
     this->Depth = depth;
     DrawInto(static_cast<int>(colors.size()));
