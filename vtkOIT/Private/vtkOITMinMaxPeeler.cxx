@@ -5,12 +5,21 @@
 #include "vtkOITFrame.h"
 #include "vtkOITShaderText.h"
 
+#include "vtkOITDualDepthPeelingPassGatherFS.h"
+#include "vtkOITDualDepthPeelingPassResolveFS.h"
 #include "vtkOITFragmentFS.h"
 #include "vtkOITPeelingGatherFS.h"
 #include "vtkOITPeelingResolveFS.h"
 
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
+
+namespace
+{
+// Layers of the state of dual peeling in place, after what was peeled from the back.
+constexpr int InsideLayer = 4;
+constexpr int OpacitiesLayer = 5;
+}
 
 //------------------------------------------------------------------------------
 void vtkOITMinMaxPeeler::Prepare(const vtkOITFrame& frame, bool)
@@ -25,17 +34,15 @@ void vtkOITMinMaxPeeler::Prepare(const vtkOITFrame& frame, bool)
 }
 
 //------------------------------------------------------------------------------
-int vtkOITMinMaxPeeler::GetNumberOfStateLayers(bool inPlace) const
-{
-  const int own = this->IsDual ? 4 : 3;
-  return inPlace ? own + (this->IsDual ? 3 : 2) : own;
-}
-
-//------------------------------------------------------------------------------
 vtkOITPeelState::Layout vtkOITMinMaxPeeler::GetLayout(const vtkOITFrame& frame) const
 {
   vtkOITPeelState::Layout layout;
-  layout.Layers = this->GetNumberOfStateLayers(vtkOITPeelState::CanWorkInPlace(frame));
+  layout.Layers = this->IsDual ? 4 : 3;
+  if (vtkOITPeelState::CanWorkInPlace(frame))
+  {
+    layout.Layers += 2;
+    layout.EmptyBoundsLayer = this->IsDual ? InsideLayer : -1;
+  }
   layout.HasBack = this->IsDual;
   return layout;
 }
@@ -52,48 +59,79 @@ vtkOITPeelState::MaskSide vtkOITMinMaxPeeler::GetMaskSide(int number) const
 //------------------------------------------------------------------------------
 int vtkOITMinMaxPeeler::GetBytesPerPixel(const vtkOITFrame& frame) const
 {
-  return vtkOITPeelState::CanWorkInPlace(frame)
-    ? 0
-    : this->GetNumberOfSums() * vtkOITTextureArray::GetBytesPerTexel(GL_RGBA32F);
+  return this->GetNumberOfSums(vtkOITPeelState::CanWorkInPlace(frame)) *
+    vtkOITTextureArray::GetBytesPerTexel(GL_RGBA32F);
+}
+
+//------------------------------------------------------------------------------
+int vtkOITMinMaxPeeler::GetNumberOfSums(bool inPlace) const
+{
+  return this->IsDual ? 4 : inPlace ? 0 : 2;
 }
 
 //------------------------------------------------------------------------------
 void vtkOITMinMaxPeeler::Begin(const vtkOITPeelContext& context)
 {
   const vtkOITPeelState& state = context.State;
-  if (!this->InPlace)
+  const int sums = this->GetNumberOfSums(this->InPlace);
+  if (sums > 0)
   {
-    this->Sums.Reserve(context.Frame.Window, state.GetWidth(), state.GetHeight(),
-      this->GetNumberOfSums(), GL_RGBA32F);
+    this->Sums.Reserve(context.Frame.Window, state.GetWidth(), state.GetHeight(), sums, GL_RGBA32F);
   }
   this->IsRest = false;
 }
 
 //------------------------------------------------------------------------------
-// Resolve has emptied the sums.
+// What is a layer of the state, Resolve has emptied.
 void vtkOITMinMaxPeeler::GatherInPlace(const vtkOITPeelContext& context, bool isSetUp)
 {
   const vtkOITTextureArray& state = context.State.GetArray();
-  const int first = this->IsDual ? 4 : 3;
   std::vector<vtkOITAttachment> colors{ state.GetLayer(2) };
-  for (int layer = first; layer < state.GetNumberOfLayers(); ++layer)
+  if (this->IsDual)
   {
-    colors.push_back(state.GetLayer(layer));
+    colors.push_back(state.GetLayer(InsideLayer));
+    for (int i = 0; i < this->Sums.GetNumberOfLayers(); ++i)
+    {
+      colors.push_back(this->Sums.GetLayer(i));
+    }
+    colors.push_back(state.GetLayer(OpacitiesLayer));
+    colors.push_back(state.GetLayer(1));
   }
-  context.State.BindForGather(this->GatherFramebuffer, colors, [] {});
+  else
+  {
+    colors.push_back(state.GetLayer(3));
+    colors.push_back(state.GetLayer(4));
+  }
+  context.State.BindForGather(this->GatherFramebuffer, colors,
+    [this]
+    {
+      const float nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+      for (int i = 0; this->IsDual && i < this->Sums.GetNumberOfLayers(); ++i)
+      {
+        glClearBufferfv(GL_COLOR, 2 + i, nothing);
+      }
+    });
   if (isSetUp)
   {
-    vtkOITFramebuffer::DrawInto(1); // depths only: no colours yet
+    vtkOITFramebuffer::DrawInto(this->IsDual ? 2 : 1); // depths only: no colours yet
   }
   context.Frame.GLState->vtkglDisable(GL_BLEND);
+  if (this->IsDual)
+  {
+    glColorMaski(0, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE); // bounds are only read
+  }
   context.RenderGeometry();
+  if (this->IsDual)
+  {
+    glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkOITMinMaxPeeler::GatherByBlending(const vtkOITPeelContext& context, bool isSetUp)
 {
   vtkOpenGLState* gl = context.Frame.GLState;
-  const int sums = this->GetNumberOfSums();
+  const int sums = this->Sums.GetNumberOfLayers();
   context.State.BindForGather(this->GatherFramebuffer, this->Sums.GetAllLayers(),
     [sums]
     {
@@ -127,10 +165,16 @@ void vtkOITMinMaxPeeler::Peel(const vtkOITPeelContext& context, int number)
   }
   context.State.Resolve(
     this->ResolveStage,
-    [&] { return context.State.AssembleResolve(vtkOITPeelingResolveFS, this->GetDefinitions()); },
+    [&]
+    {
+      const bool isDualInPlace = this->IsDual && this->InPlace;
+      return context.State.AssembleResolve(
+        isDualInPlace ? vtkOITDualDepthPeelingPassResolveFS : vtkOITPeelingResolveFS,
+        this->GetDefinitions());
+    },
     [&](vtkShaderProgram* program)
     {
-      if (!this->InPlace)
+      if (program->IsUniformUsed("oitSums"))
       {
         this->Sums.Bind(context.Frame.GLState, vtkOITPeelState::GatheredUnit);
         program->SetUniformi("oitSums", vtkOITPeelState::GatheredUnit);
@@ -166,8 +210,9 @@ bool vtkOITMinMaxPeeler::WrapGather(std::string& fragmentShader) const
   {
     header += "layout(early_fragment_tests) in;\n"; // reading the framebuffer would end it
   }
-  return vtkOITWrapFragmentShader(
-    fragmentShader, header, std::string(vtkOITFragmentFS) + vtkOITPeelingGatherFS);
+  const char* gather =
+    this->IsDual && this->InPlace ? vtkOITDualDepthPeelingPassGatherFS : vtkOITPeelingGatherFS;
+  return vtkOITWrapFragmentShader(fragmentShader, header, std::string(vtkOITFragmentFS) + gather);
 }
 
 //------------------------------------------------------------------------------

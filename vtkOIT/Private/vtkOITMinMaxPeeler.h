@@ -11,11 +11,11 @@
  * the bounds of the next peel are found among those inside. One-sided it peels the nearest layer
  * (Everitt 2001), two-sided the nearest and the farthest (Bavoil and Myers 2008).
  *
- * Coincident fragments are blended as a group. Where shaders can read the framebuffer, the sums are
- * layers of the state. Otherwise they are blended: sums are added, depths are kept as the maximum,
- * one way of blending for colours, another for alpha, so no GL beyond 3.2 is needed. Floats
- * throughout: half floats for the sums were not faster on llvmpipe, separate buffers for depths
- * neither.
+ * Coincident fragments are blended as a group. Where shaders can read the framebuffer, they sum up
+ * in place, and dual peeling takes two layers from each side. Otherwise sums are added by blending,
+ * depths are kept as the maximum, one way of blending for colours, another for alpha, so no GL
+ * beyond 3.2 is needed. Floats throughout: half floats for the sums were not faster on llvmpipe,
+ * separate buffers for depths neither.
  */
 class vtkOITMinMaxPeeler : public vtkOITPeeler
 {
@@ -46,8 +46,7 @@ public:
 private:
   void GatherInPlace(const vtkOITPeelContext& context, bool isSetUp);
   void GatherByBlending(const vtkOITPeelContext& context, bool isSetUp);
-  int GetNumberOfSums() const { return this->IsDual ? 4 : 2; }
-  int GetNumberOfStateLayers(bool inPlace) const;
+  int GetNumberOfSums(bool inPlace) const;
   std::string GetDefinitions() const { return this->IsDual ? "#define OIT_DUAL\n" : ""; }
 
   bool IsDual;

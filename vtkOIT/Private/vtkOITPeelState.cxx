@@ -98,10 +98,19 @@ void vtkOITPeelState::Begin(const vtkOITFrame& frame, const vtkOITRectangle& ban
     window, this->Arrays[0].GetAllLayers(), this->MaskDepth.GetLayer(0));
   for (int layer = 0; layer < layout.Layers; ++layer)
   {
-    const bool hasTransmittance = layer == 0 || (layout.HasBack && layer == 3);
-    const std::array<float, 4> value = layer == 2
-      ? std::array<float, 4>{ -1.0f, 2.0f, -2.0f, -2.0f }
-      : std::array<float, 4>{ 0.0f, 0.0f, 0.0f, hasTransmittance ? 1.0f : 0.0f };
+    std::array<float, 4> value{};
+    if (layer == 0 || (layout.HasBack && layer == 3))
+    {
+      value[3] = 1.0f; // transmittance
+    }
+    else if (layer == 2)
+    {
+      value = { -1.0f, 2.0f, -2.0f, -2.0f };
+    }
+    else if (layer == layout.EmptyBoundsLayer)
+    {
+      value = { 2.0f, -2.0f, 2.0f, -2.0f };
+    }
     glClearBufferfv(GL_COLOR, layer, value.data());
   }
 }

@@ -37,8 +37,9 @@ public:
 
   struct Layout
   {
-    int Layers = 3;       // of the state, see vtkOITPeelingStateFS.glsl
-    bool HasBack = false; // layer 3 is what was peeled from the back
+    int Layers = 3;            // of the state, see vtkOITPeelingStateFS.glsl
+    bool HasBack = false;      // layer 3 is what was peeled from the back
+    int EmptyBoundsLayer = -1; // a layer that starts as bounds of nothing
   };
 
   struct Statistics

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Gather, for depth peeling and dual depth peeling: fragments at the bounds of the pixel are summed
+// Gather, for depth peeling, and for dual depth peeling where shaders cannot read the framebuffer:
+// fragments at the bounds of the pixel are summed
 // up as the group of coincident fragments that is peeled now; of the fragments inside, the bounds
 // of the next peel are found. In the first pass everything is inside.
 //
@@ -15,10 +16,7 @@ const float OIT_NO_DEPTH = -2.0;
 #ifdef OIT_IN_PLACE
 layout(location = 0) inout vec4 oitBounds; // nearest, farthest; -nearest and farthest inside
 layout(location = 1) inout vec4 oitFront;  // sums of opacity times colour and of opacity
-layout(location = 2) inout vec4 oitGroup;  // opacity of the group and count: front, back
-#ifdef OIT_DUAL
-layout(location = 3) inout vec4 oitBack;
-#endif
+layout(location = 2) inout vec4 oitGroup;  // opacity of the group and count
 #else
 uniform sampler2DArray oitState;
 layout(location = 0) out vec4 oitFront;     // sum of opacity times colour; -depth of the nearest
@@ -44,18 +42,15 @@ void main()
 #ifdef OIT_DUAL
   bool isBack = isLeft && !isFront && depth == bounds.y;
 #else
-  const bool isBack = false;
+  bool isBack = false;
 #endif
   vec2 inside = isLeft && !isFront && !isBack ? vec2(-depth, depth) : vec2(OIT_NO_DEPTH);
   vec3 weighted = color.a * color.rgb;
 #ifdef OIT_IN_PLACE
   oitBounds.zw = max(oitBounds.zw, inside);
-  vec4 added = vec4(isFront ? color.a : 0.0, float(isFront), isBack ? color.a : 0.0, float(isBack));
-  oitGroup += (1.0 - oitGroup * vec4(1.0, 0.0, 1.0, 0.0)) * added;
+  oitGroup.x += isFront ? (1.0 - oitGroup.x) * color.a : 0.0;
+  oitGroup.y += float(isFront);
   oitFront += isFront ? vec4(weighted, color.a) : vec4(0.0);
-#ifdef OIT_DUAL
-  oitBack += isBack ? vec4(weighted, color.a) : vec4(0.0);
-#endif
 #else
   vec3 sums = vec3(color.a, oitGetOpticalDepth(color.a), 1.0);
   oitFront = vec4(isFront ? weighted : vec3(0.0), inside.x);

@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Resolve, for depth peeling and dual depth peeling: the group peeled from the front goes under
+// Resolve, for depth peeling, and for dual depth peeling where shaders cannot read the framebuffer:
+// the group peeled from the front goes under
 // what is in front, the one peeled from the back over what is behind (Bavoil and Myers 2008).
 
 //VTK::OIT::State
@@ -23,19 +24,8 @@ void oitBlendOver(vec3 color, float opacity)
 // What Gather has summed up: in place as layers of the state, emptied again for the next peel, or
 // the buffers that it blended into.
 #ifdef OIT_IN_PLACE
-#ifdef OIT_DUAL
-OIT_STATE_LAYER(4) // front
-OIT_STATE_LAYER(5) // group
-OIT_STATE_LAYER(6) // back
-#define OIT_FRONT oitState4
-#define OIT_GROUP oitState5
-#define OIT_BACK oitState6
-#else
-OIT_STATE_LAYER(3)
-OIT_STATE_LAYER(4)
-#define OIT_FRONT oitState3
-#define OIT_GROUP oitState4
-#endif
+OIT_STATE_LAYER(3) // sums of opacity times colour and of opacity
+OIT_STATE_LAYER(4) // opacity of the group and count
 #else
 uniform sampler2DArray oitSums;
 vec4 oitLoadSums(int layer)
@@ -48,8 +38,8 @@ void main()
 {
   oitLoadCommonState();
 #ifdef OIT_IN_PLACE
-  vec4 group = OIT_GROUP;
-  OITGroup front = OITGroup(OIT_FRONT.rgb, OIT_FRONT.a, 0.0, group.y);
+  vec4 group = oitState4;
+  OITGroup front = OITGroup(oitState3.rgb, oitState3.a, 0.0, group.y);
   float opacity = group.x;
   vec2 depths = oitState2.zw;
 #else
@@ -67,16 +57,11 @@ void main()
   oitState1.x += front.Count;
 
 #ifdef OIT_DUAL
-#ifdef OIT_IN_PLACE
-  OITGroup back = OITGroup(OIT_BACK.rgb, OIT_BACK.a, 0.0, OIT_GROUP.w);
-  float backOpacity = OIT_GROUP.z;
-#else
   OIT_LOAD_STATE(3)
   vec4 backColor = oitLoadSums(2);
   vec4 backSums = oitLoadSums(3);
   OITGroup back = OITGroup(backColor.rgb, backSums.x, backSums.y, backSums.z);
   float backOpacity = oitGetGroupOpacity(back);
-#endif
   oitBlendOver(oitGetGroupColor(back, backOpacity), backOpacity);
   oitState1.x += back.Count;
 #endif
@@ -86,13 +71,9 @@ void main()
   oitState2.zw = vec2(-2.0);
   // By halves: Mesa 22.3 takes a variable that is assigned once, a constant, for a constant, and
   // forgets that an inout variable had a value before.
-  OIT_FRONT.xy = vec2(0.0);
-  OIT_FRONT.zw = vec2(0.0);
-  OIT_GROUP.xy = vec2(0.0);
-  OIT_GROUP.zw = vec2(0.0);
-#ifdef OIT_DUAL
-  OIT_BACK.xy = vec2(0.0);
-  OIT_BACK.zw = vec2(0.0);
-#endif
+  oitState3.xy = vec2(0.0);
+  oitState3.zw = vec2(0.0);
+  oitState4.xy = vec2(0.0);
+  oitState4.zw = vec2(0.0);
 #endif
 }
