@@ -5,6 +5,7 @@
 #include "vtkOITABufferPass.h"
 #include "vtkOITDepthPeelingPass.h"
 #include "vtkOITDualDepthPeelingPass.h"
+#include "vtkOITMultiLayerPeelingPass.h"
 #include "vtkObjectFactory.h"
 
 #include <array>
@@ -23,10 +24,11 @@ vtkOITPass* CreateAs()
   return PassType::New();
 }
 
-const std::array<Method, 3> Methods = { {
+const std::array<Method, 4> Methods = { {
   { "abuffer", CreateAs<vtkOITABufferPass> },
   { "peel", CreateAs<vtkOITDepthPeelingPass> },
   { "dual", CreateAs<vtkOITDualDepthPeelingPass> },
+  { "multilayer", CreateAs<vtkOITMultiLayerPeelingPass> },
 } };
 }
 

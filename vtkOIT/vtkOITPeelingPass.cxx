@@ -145,7 +145,8 @@ void vtkOITPeelingPass::RenderBand(
   const vtkOITPeelContext context{ frame, impl.State,
     [this, &frame] { this->RenderRemainingGeometry(frame); } };
   impl.Context = &context;
-  impl.Culls = this->UseOcclusionQuery && frame.GetProps().size() > 1;
+  impl.Culls =
+    this->UseOcclusionQuery && impl.Peeler->CanCullProps() && frame.GetProps().size() > 1;
   if (impl.Culls)
   {
     impl.Culling.Begin(frame);
@@ -280,7 +281,7 @@ bool vtkOITPeelingPass::SetShaderParameters(
     }
     // An actor may have been told to write depth; translucent ones must not.
     impl.Context->Frame.GLState->vtkglDepthMask(GL_FALSE);
-    impl.Peeler->SetUniforms(program, *impl.Context);
+    impl.Peeler->SetUniforms(program, prop, *impl.Context);
   }
   return true;
 }

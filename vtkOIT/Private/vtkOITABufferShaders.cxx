@@ -12,6 +12,7 @@
 #include "vtkOITABufferPassResolveFS.h"
 #include "vtkOITABufferPassSortFS.h"
 #include "vtkOITABufferPassTileVS.h"
+#include "vtkOITHalfFS.h"
 #include "vtkOITOutputFS.h"
 
 #include <tuple>
@@ -73,8 +74,9 @@ bool vtkOITABufferShaders::WrapGather(std::string& fragmentShader) const
     }
     header += "layout(early_fragment_tests) in;\n";
   }
-  return vtkOITWrapFragmentShader(
-    fragmentShader, header, std::string(vtkOITABufferPassNodeFS) + vtkOITABufferPassGatherFS);
+  std::string stage = std::string(vtkOITABufferPassNodeFS) + vtkOITABufferPassGatherFS;
+  vtkOITReplace(stage, "//VTK::OIT::Half", vtkOITHalfFS);
+  return vtkOITWrapFragmentShader(fragmentShader, header, stage);
 }
 
 //------------------------------------------------------------------------------
@@ -99,6 +101,7 @@ std::string vtkOITABufferShaders::Assemble(const char* stage, const std::string&
   std::string text = stage;
   vtkOITReplace(text, "//VTK::System::Dec", "//VTK::System::Dec\n" + header);
   vtkOITReplace(text, "//VTK::OIT::Node", vtkOITABufferPassNodeFS);
+  vtkOITReplace(text, "//VTK::OIT::Half", vtkOITHalfFS);
   vtkOITReplace(text, "//VTK::OIT::Read", vtkOITABufferPassReadFS);
   vtkOITReplace(text, "//VTK::OIT::Output", vtkOITOutputFS);
   return text;

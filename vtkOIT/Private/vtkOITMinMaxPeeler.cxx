@@ -216,7 +216,8 @@ bool vtkOITMinMaxPeeler::WrapGather(std::string& fragmentShader) const
 }
 
 //------------------------------------------------------------------------------
-void vtkOITMinMaxPeeler::SetUniforms(vtkShaderProgram* program, const vtkOITPeelContext& context)
+void vtkOITMinMaxPeeler::SetUniforms(
+  vtkShaderProgram* program, vtkProp*, const vtkOITPeelContext& context)
 {
   if (program->IsUniformUsed("oitState"))
   {

@@ -37,7 +37,8 @@ public:
   void PeelRest(const vtkOITPeelContext& context) override;
 
   bool WrapGather(std::string& fragmentShader) const override;
-  void SetUniforms(vtkShaderProgram* program, const vtkOITPeelContext& context) override;
+  void SetUniforms(
+    vtkShaderProgram* program, vtkProp* prop, const vtkOITPeelContext& context) override;
 
   vtkMTimeType GetShaderMTime() const override { return this->ShaderTime.GetMTime(); }
 

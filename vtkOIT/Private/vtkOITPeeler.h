@@ -9,6 +9,8 @@
 #include <functional>
 #include <string>
 
+class vtkProp;
+
 /// What a peeler works with during a frame (or a band of it).
 struct vtkOITPeelContext
 {
@@ -46,6 +48,9 @@ public:
     return vtkOITPeelState::MaskSide::Front;
   }
 
+  /// Whether a prop without a fragment that passes in a peel has none for later peels.
+  virtual bool CanCullProps() const { return true; }
+
   /// Reserves memory for the band. The state has been started.
   virtual void Begin(const vtkOITPeelContext& context) = 0;
   /// The peel of this number, from 0: geometry passes, then Resolve of the state.
@@ -55,8 +60,9 @@ public:
 
   /// Changes a mapper's fragment shader into the Gather stage. False when it has no main().
   virtual bool WrapGather(std::string& fragmentShader) const = 0;
-  /// Of a program made by WrapGather(), during RenderGeometry().
-  virtual void SetUniforms(vtkShaderProgram* program, const vtkOITPeelContext& context) = 0;
+  /// Of a program made by WrapGather(), before each draw of a prop during RenderGeometry().
+  virtual void SetUniforms(
+    vtkShaderProgram* program, vtkProp* prop, const vtkOITPeelContext& context) = 0;
   /// When WrapGather() last changed.
   virtual vtkMTimeType GetShaderMTime() const { return 0; }
 

@@ -83,26 +83,4 @@ void oitStoreNext(uint word, uint next) { oitNodeWords[4u * word + 3u] = next; }
 #define OIT_WORD(node) (node)
 #endif
 
-// Colour to and from half floats, rounded to nearest. The built-in packHalf2x16 costs three times
-// as much on llvmpipe, and truncates there. Values are clamped to [0, 65504]; 2^-14 is the smallest
-// normal half, below it the bits count units of 2^-24.
-#ifdef OIT_FLOAT_COLOR
-OITColor oitPack(vec4 color) { return floatBitsToUint(color); }
-vec4 oitUnpack(OITColor bits) { return uintBitsToFloat(bits); }
-#else
-OITColor oitPack(vec4 color)
-{
-  const float smallest = 6.103515625e-5;
-  vec4 c = min(max(color, vec4(0.0)), vec4(65504.0));
-  uvec4 normal = (floatBitsToUint(max(c, vec4(smallest))) - 0x37fff000u) >> 13u;
-  uvec4 bits = normal - 0x400u + uvec4(min(c, vec4(smallest)) * 16777216.0 + 0.5);
-  return bits.xz | (bits.yw << 16u);
-}
-vec4 oitUnpack(OITColor bits)
-{
-  uvec4 h = uvec4(bits.x & 0xffffu, bits.x >> 16u, bits.y & 0xffffu, bits.y >> 16u);
-  vec4 normal = uintBitsToFloat((h << 13u) + 0x38000000u);
-  vec4 denormal = vec4(h) * 5.9604644775390625e-8;
-  return mix(normal, denormal, lessThan(h, uvec4(0x400u)));
-}
-#endif
+//VTK::OIT::Half
