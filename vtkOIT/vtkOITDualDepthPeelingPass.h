@@ -23,12 +23,12 @@
  * colours are added instead of kept as a maximum, so coincident fragments are all counted, and
  * colours may be of any size and sign.
  *
- * Where shaders can read the framebuffer (EXT_shader_framebuffer_fetch), the two nearest and the two
- * farthest layers are peeled at once: a register more, and half the geometry passes.
+ * Where shaders can read the framebuffer (EXT_shader_framebuffer_fetch), the two nearest and the
+ * two farthest layers are peeled at once: a register more, and half the geometry passes.
  *
  * Geometry passes: ⌈N/4⌉ + 1 for N layers where shaders can read the framebuffer, otherwise
- * ⌈N/2⌉ + 1; at most ⌊N/2⌋ + 2 in any case. Memory: 168 bytes per pixel, otherwise 200. Needs GL 3.2
- * with ARB_explicit_attrib_location.
+ * ⌈N/2⌉ + 1; at most ⌊N/2⌋ + 2 in any case. Memory: 168 bytes per pixel, otherwise 200. Needs
+ * GL 3.2 with ARB_explicit_attrib_location.
  *
  * Exact: yes, with TransmittanceThreshold 0 and no limit on the number of peels; otherwise within
  * GetErrorBound(). Limits: a prop whose mapper knows nothing of vtkOpenGLRenderPass draws nothing.

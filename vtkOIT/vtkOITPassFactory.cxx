@@ -6,6 +6,7 @@
 #include "vtkOITDepthPeelingPass.h"
 #include "vtkOITDualDepthPeelingPass.h"
 #include "vtkOITMultiLayerPeelingPass.h"
+#include "vtkOITWeightedPass.h"
 #include "vtkObjectFactory.h"
 
 #include <array>
@@ -24,11 +25,22 @@ vtkOITPass* CreateAs()
   return PassType::New();
 }
 
-const std::array<Method, 4> Methods = { {
+template <typename PassType, int Mode>
+vtkOITPass* CreateInMode()
+{
+  PassType* pass = PassType::New();
+  pass->SetMode(Mode);
+  return pass;
+}
+
+const std::array<Method, 7> Methods = { {
   { "abuffer", CreateAs<vtkOITABufferPass> },
   { "peel", CreateAs<vtkOITDepthPeelingPass> },
   { "dual", CreateAs<vtkOITDualDepthPeelingPass> },
   { "multilayer", CreateAs<vtkOITMultiLayerPeelingPass> },
+  { "weighted-average", CreateInMode<vtkOITWeightedPass, vtkOITWeightedPass::AVERAGE> },
+  { "weighted-sum", CreateInMode<vtkOITWeightedPass, vtkOITWeightedPass::SUM> },
+  { "weighted-blended", CreateInMode<vtkOITWeightedPass, vtkOITWeightedPass::BLENDED> },
 } };
 }
 

@@ -20,18 +20,6 @@ namespace
 {
 // Without queries and without a limit; what the sample of Bavoil and Myers starts with.
 constexpr int FixedNumberOfPeels = 4;
-
-/// Pixels keep their place in the framebuffer. In steps, so that a moving camera does not make
-/// every frame allocate.
-vtkOITRectangle FindStorage(const vtkOITFrame& frame, const vtkOITRectangle& band)
-{
-  constexpr int step = 64;
-  const vtkOITRectangle& viewport = frame.Viewport;
-  const auto extend = [](int end, int largest)
-  { return std::min((end + step - 1) / step * step, largest); };
-  return { 0, 0, extend(band.X + band.Width, viewport.X + viewport.Width),
-    extend(band.Y + band.Height, viewport.Y + viewport.Height) };
-}
 }
 
 //------------------------------------------------------------------------------
@@ -141,7 +129,7 @@ void vtkOITPeelingPass::RenderBand(
   vtkOITFrame& frame, const vtkOITRectangle& band, std::size_t number)
 {
   Internals& impl = *this->Impl;
-  const vtkOITRectangle storage = this->MaximumBufferSize > 0 ? band : FindStorage(frame, band);
+  const vtkOITRectangle storage = this->MaximumBufferSize > 0 ? band : frame.FindStorage(band);
   const vtkOITPeelContext context{ frame, impl.State,
     [this, &frame] { this->RenderRemainingGeometry(frame); } };
   impl.Context = &context;
@@ -170,7 +158,7 @@ void vtkOITPeelingPass::RenderBand(
   frame.GLState->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   frame.DrawToFirstBufferOnly();
   impl.State.Composite();
-  const vtkOITPeelState::Statistics statistics = impl.State.Reduce();
+  const vtkOITPixelStatistics::Result statistics = impl.State.Reduce();
   this->NumberOfFragments += statistics.Fragments;
   this->MaximumDepthComplexity = std::max(this->MaximumDepthComplexity, statistics.MostFragments);
   this->NumberOfLostFragments += statistics.Lost;

@@ -5,6 +5,7 @@
 #include "vtkOITCompatibility.h"
 
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
 
@@ -87,6 +88,26 @@ void vtkOITFrame::DrawToFirstBufferOnly() const
     const GLenum buffer = this->Target.DrawBuffer;
     glDrawBuffers(1, &buffer);
   }
+}
+
+//------------------------------------------------------------------------------
+vtkOITRectangle vtkOITFrame::FindStorage(const vtkOITRectangle& band) const
+{
+  constexpr int step = 64;
+  const auto extend = [](int end, int largest)
+  { return std::min((end + step - 1) / step * step, largest); };
+  return { 0, 0, extend(band.X + band.Width, this->Viewport.X + this->Viewport.Width),
+    extend(band.Y + band.Height, this->Viewport.Y + this->Viewport.Height) };
+}
+
+//------------------------------------------------------------------------------
+void vtkOITFrame::ShiftViewport(const vtkOITRectangle& band, const vtkOITRectangle& storage) const
+{
+  const vtkOITRectangle& viewport = this->Viewport;
+  this->GLState->vtkglViewport(
+    viewport.X - storage.X, viewport.Y - storage.Y, viewport.Width, viewport.Height);
+  this->GLState->vtkglEnable(GL_SCISSOR_TEST);
+  this->GLState->vtkglScissor(band.X - storage.X, band.Y - storage.Y, band.Width, band.Height);
 }
 
 //------------------------------------------------------------------------------

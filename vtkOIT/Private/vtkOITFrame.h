@@ -51,6 +51,13 @@ public:
   /// Of the bound framebuffer's colour buffers, only the first is drawn to from now on.
   void DrawToFirstBufferOnly() const;
 
+  /// The pixels that textures of a pass cover so that those of the band keep their place in the
+  /// framebuffer; in steps, so that a moving camera does not make every frame allocate.
+  vtkOITRectangle FindStorage(const vtkOITRectangle& band) const;
+
+  /// Viewport and scissor for drawing the band into textures that cover `storage`.
+  void ShiftViewport(const vtkOITRectangle& band, const vtkOITRectangle& storage) const;
+
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkOpenGLState* GLState = nullptr;
   const vtkOITCapabilities* Capabilities = nullptr;

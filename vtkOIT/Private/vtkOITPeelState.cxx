@@ -11,7 +11,6 @@
 #include "vtkOITOutputFS.h"
 #include "vtkOITPeelingCompositeFS.h"
 #include "vtkOITPeelingMaskFS.h"
-#include "vtkOITPeelingReduceFS.h"
 #include "vtkOITPeelingStateFS.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -19,12 +18,9 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace
 {
-constexpr int BlockSize = 16; // pixels a side that Reduce sums up
-
 /// Draws at this depth, whatever the vertex shader says.
 class DrawnDepth
 {
@@ -91,7 +87,7 @@ void vtkOITPeelState::Begin(const vtkOITFrame& frame, const vtkOITRectangle& ban
   }
 
   vtkOpenGLState* state = frame.GLState;
-  this->SetViewport();
+  frame.ShiftViewport(band, storage);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglDepthMask(GL_FALSE);
   this->StateFramebuffers[0].Bind(
@@ -113,18 +109,6 @@ void vtkOITPeelState::Begin(const vtkOITFrame& frame, const vtkOITRectangle& ban
     }
     glClearBufferfv(GL_COLOR, layer, value.data());
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkOITPeelState::SetViewport() const
-{
-  vtkOpenGLState* state = this->Frame->GLState;
-  std::array<GLint, 4> viewport{};
-  glGetIntegerv(GL_VIEWPORT, viewport.data());
-  state->vtkglViewport(
-    viewport[0] - this->Storage.X, viewport[1] - this->Storage.Y, viewport[2], viewport[3]);
-  state->vtkglEnable(GL_SCISSOR_TEST);
-  this->Region.SetScissor();
 }
 
 //------------------------------------------------------------------------------
@@ -320,60 +304,19 @@ void vtkOITPeelState::Composite()
 }
 
 //------------------------------------------------------------------------------
-vtkOITPeelState::Statistics vtkOITPeelState::Reduce()
+vtkOITPixelStatistics::Result vtkOITPeelState::Reduce()
 {
-  vtkOpenGLState* state = this->Frame->GLState;
-  const int width = (this->Band.Width + BlockSize - 1) / BlockSize;
-  const int height = (this->Band.Height + BlockSize - 1) / BlockSize;
-  this->Sums.Reserve(this->Frame->Window, width, height, 1, GL_RGBA32F);
-  this->SumsFramebuffer.Bind(this->Frame->Window, { this->Sums.GetLayer(0) });
-  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->SumsFramebuffer.GetName());
-  glReadBuffer(GL_COLOR_ATTACHMENT0);
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglViewport(0, 0, width, height);
-  state->vtkglScissor(0, 0, width, height);
-  const int x = this->Band.X - this->Storage.X;
-  const int y = this->Band.Y - this->Storage.Y;
-  const int region[4] = { x, y, x + this->Band.Width - 1, y + this->Band.Height - 1 };
-  this->DrawScreen(
-    this->ReduceStage,
-    []
-    {
-      std::string text = vtkOITPeelingReduceFS;
-      vtkOITReplace(text, "//VTK::System::Dec",
-        "//VTK::System::Dec\n#define OIT_BLOCK_SIZE " + std::to_string(BlockSize) + "\n");
-      return text;
-    },
-    [&](vtkShaderProgram* program)
-    {
-      const int first[2] = { region[0], region[1] };
-      const int last[2] = { region[2], region[3] };
-      program->SetUniform2i("oitFirstPixel", first);
-      program->SetUniform2i("oitLastPixel", last);
-      this->BindFor(program);
-    });
-  std::vector<std::array<float, 4>> sums(static_cast<std::size_t>(width) * height);
-  glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, sums.data());
-  vtkOITTextureArray::Unbind(state, StateUnit);
-  vtkOITTextureArray::Unbind(state, GatheredUnit);
-
-  Statistics statistics;
-  for (const std::array<float, 4>& block : sums)
-  {
-    statistics.Fragments += static_cast<std::int64_t>(block[0]);
-    statistics.MostFragments = std::max(statistics.MostFragments, static_cast<int>(block[1]));
-    statistics.ErrorBound = std::max(statistics.ErrorBound, static_cast<double>(block[2]));
-    statistics.Lost += static_cast<std::int64_t>(block[3]);
-  }
-  return statistics;
+  vtkOITTextureArray::Unbind(this->Frame->GLState, GatheredUnit);
+  return this->Statistics.Reduce(*this->Frame, this->Arrays[this->Current],
+    { this->Band.X - this->Storage.X, this->Band.Y - this->Storage.Y, this->Band.Width,
+      this->Band.Height });
 }
 
 //------------------------------------------------------------------------------
 std::int64_t vtkOITPeelState::GetSizeInBytes() const
 {
   return this->Arrays[0].GetSizeInBytes() + this->Arrays[1].GetSizeInBytes() +
-    this->MaskDepth.GetSizeInBytes() + this->Sums.GetSizeInBytes() +
+    this->MaskDepth.GetSizeInBytes() + this->Statistics.GetSizeInBytes() +
     this->OpaqueDepth.GetSizeInBytes();
 }
 
@@ -387,12 +330,10 @@ void vtkOITPeelState::Release()
   }
   this->Region.Release();
   this->MaskDepth.Release();
-  this->Sums.Release();
+  this->Statistics.Release();
   this->OpaqueDepth.Release();
   this->MaskFramebuffer.Release();
-  this->SumsFramebuffer.Release();
   this->MaskStages[0].Release();
   this->MaskStages[1].Release();
   this->CompositeStage.Release();
-  this->ReduceStage.Release();
 }

@@ -6,6 +6,7 @@
 #include "vtkOITDepthCopy.h"
 #include "vtkOITFramebuffer.h"
 #include "vtkOITPeelRegion.h"
+#include "vtkOITPixelStatistics.h"
 #include "vtkOITScreenStage.h"
 #include "vtkOITTextureArray.h"
 
@@ -40,14 +41,6 @@ public:
     int Layers = 3;            // of the state, see vtkOITPeelingStateFS.glsl
     bool HasBack = false;      // layer 3 is what was peeled from the back
     int EmptyBoundsLayer = -1; // a layer that starts as bounds of nothing
-  };
-
-  struct Statistics
-  {
-    std::int64_t Fragments = 0;
-    int MostFragments = 0; // of a pixel
-    double ErrorBound = 0.0;
-    std::int64_t Lost = 0; // fragments that were dropped
   };
 
   /// The texture units used, from 0; mappers count theirs up from 0 and GL has at least 16.
@@ -85,7 +78,7 @@ public:
 
   /// Draws into the framebuffer of the frame. Viewport and scissor as the frame has them.
   void Composite();
-  Statistics Reduce();
+  vtkOITPixelStatistics::Result Reduce();
 
   /// Binds the state to StateUnit and sets the uniform oitState.
   void BindFor(vtkShaderProgram* program) const;
@@ -102,7 +95,6 @@ public:
   void Release();
 
 private:
-  void SetViewport() const;
   void DrawScreen(vtkOITScreenStage& stage, const std::function<std::string()>& getFragmentShader,
     const std::function<void(vtkShaderProgram*)>& setUniforms);
 
@@ -121,14 +113,12 @@ private:
   std::array<vtkOITTextureArray, 2> Arrays; // the second one is not used in place
   int Current = 0;
   vtkOITTextureArray MaskDepth;
-  vtkOITTextureArray Sums;
+  vtkOITPixelStatistics Statistics;
   vtkOITDepthCopy OpaqueDepth;
   std::array<vtkOITFramebuffer, 2> StateFramebuffers;
   vtkOITFramebuffer MaskFramebuffer;
-  vtkOITFramebuffer SumsFramebuffer;
   std::array<vtkOITScreenStage, 2> MaskStages; // one for each side
   vtkOITScreenStage CompositeStage;
-  vtkOITScreenStage ReduceStage;
   bool CompositeByFetch = false; // of CompositeStage's program
 };
 
