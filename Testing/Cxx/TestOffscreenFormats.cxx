@@ -15,6 +15,8 @@
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
 
+#include <cstdio>
+
 using namespace vtkOITTest;
 
 namespace
@@ -62,6 +64,12 @@ void CheckFormat(TestReport& report, const Setup& setup, const Format& format)
   // itself.
   for (const bool writesDepth : { false, true })
   {
+    if (writesDepth && setup.Method == "abuffer" && !setup.HasFetch)
+    {
+      // Its shaders compare with a copy of the depth buffer then: docs/vtkOITABufferPass.md.
+      std::printf("not tested: %s: coplanar with offsets\n", setup.Describe().c_str());
+      continue;
+    }
     if (writesDepth)
     {
       vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();

@@ -10,7 +10,7 @@
 
 #include "vtkActor.h"
 #include "vtkNew.h"
-#include "vtkOITABufferPass.h"
+#include "vtkOITPass.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -65,10 +65,7 @@ void RenderRound(TestRig& rig, Setup setup, int round)
     rig.Pass->SetMaximumBufferSize(round % 2 ? 1 << 20 : 0);
     setup.Attach(rig.Renderer, rig.Pass);
     rig.Window->Render();
-    if (auto* abuffer = vtkOITABufferPass::SafeDownCast(rig.Pass))
-    {
-      abuffer->SetFragmentPrecision(1 - abuffer->GetFragmentPrecision());
-    }
+    rig.Pass->SetFragmentPrecision(1 - rig.Pass->GetFragmentPrecision());
     rig.Window->Render();
     if (use != Use::Installed)
     {

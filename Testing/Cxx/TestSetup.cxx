@@ -5,9 +5,9 @@
 #include "vtkCameraPass.h"
 #include "vtkLightsPass.h"
 #include "vtkNew.h"
-#include "vtkOITABufferPass.h"
 #include "vtkOITHeadless.h"
 #include "vtkOITPassFactory.h"
+#include "vtkOITPeelingPass.h"
 #include "vtkOITRendererHook.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -19,6 +19,9 @@
 #include "vtkTesting.h"
 #include "vtkVolumetricPass.h"
 
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
@@ -48,6 +51,45 @@ vtkSmartPointer<vtkRenderPass> MakeCameraChain(vtkOITPass* pass)
   return camera;
 }
 
+/// A capability tier: the extensions that are hidden from vtkOITCapabilities.
+struct Tier
+{
+  const char* Name;
+  const char* Hidden;
+};
+constexpr Tier Full{ "all extensions", "" };
+constexpr Tier NoFetch{ "without framebuffer fetch", "GL_EXT_shader_framebuffer_fetch" };
+constexpr Tier GL32{ "OpenGL 3.2",
+  "GL_EXT_shader_framebuffer_fetch GL_ARB_fragment_shader_interlock GL_ARB_texture_barrier "
+  "GL_ARB_shader_image_load_store GL_ARB_shader_storage_buffer_object GL_ARB_clear_texture "
+  "GL_ARB_draw_buffers_blend" };
+
+/// The table of methods: what each promises, how it keeps fragments, on which tiers it runs.
+struct MethodRow
+{
+  const char* Name;
+  Expectation Promise;
+  std::vector<Storage> Storages;
+  std::vector<Tier> Tiers;
+  int LargestStack; // see Setup
+};
+const std::vector<MethodRow>& GetMethodTable()
+{
+  static const std::vector<MethodRow> table = {
+    { "abuffer", Expectation::Exact, { Storage::Half, Storage::Float32 }, { Full, NoFetch }, 4096 },
+    { "peel", Expectation::Exact, { Storage::Float32 }, { Full, GL32 }, 65 },
+    { "dual", Expectation::Exact, { Storage::Float32 }, { Full, GL32 }, 257 },
+    { "multilayer", Expectation::Exact, { Storage::Half }, { Full, NoFetch }, 257 },
+    { "bucket", Expectation::Exact, { Storage::Float32 }, { Full, GL32 }, 65 },
+    { "bucket-pairs", Expectation::Exact, { Storage::Float32 }, { Full, GL32 }, 65 },
+    { "bucket-adaptive", Expectation::Exact, { Storage::Float32 }, { Full, GL32 }, 65 },
+    { "weighted-average", Expectation::Preview, { Storage::Float32 }, { Full, GL32 }, 4096 },
+    { "weighted-sum", Expectation::Preview, { Storage::Float32 }, { Full, GL32 }, 4096 },
+    { "weighted-blended", Expectation::Preview, { Storage::Float32 }, { Full, GL32 }, 4096 },
+  };
+  return table;
+}
+
 /// Empty when the method runs here, otherwise what is missing.
 std::string FindMissingCapability(const Setup& setup)
 {
@@ -69,17 +111,21 @@ std::string Setup::Describe() const
     : this->UseMode == Use::RenderSteps             ? "render steps"
                                                     : "camera chain";
   return this->Method + " " + (this->FragmentStorage == Storage::Half ? "half" : "float32") + ", " +
-    use;
+    use + ", " + this->Tier;
 }
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkOITPass> Setup::CreatePass() const
 {
   auto pass = vtkSmartPointer<vtkOITPass>::Take(vtkOITPassFactory::CreatePass(this->Method));
-  if (auto* abuffer = vtkOITABufferPass::SafeDownCast(pass))
+  if (pass)
   {
-    abuffer->SetFragmentPrecision(
-      this->FragmentStorage == Storage::Half ? vtkOITABufferPass::HALF : vtkOITABufferPass::FLOAT);
+    pass->SetFragmentPrecision(
+      this->FragmentStorage == Storage::Half ? vtkOITPass::HALF : vtkOITPass::FLOAT);
+  }
+  if (auto* peeling = vtkOITPeelingPass::SafeDownCast(pass))
+  {
+    peeling->SetTransmittanceThreshold(0.0);
   }
   return pass;
 }
@@ -140,21 +186,38 @@ int RunTest(
     std::printf("skipped: %s\n", missing.c_str());
     return VTK_SKIP_RETURN_CODE;
   }
-
-  std::vector<Use> uses{ Use::Installed };
-  if (setups == Setups::All)
+  const auto row = std::find_if(GetMethodTable().begin(), GetMethodTable().end(),
+    [&setup](const MethodRow& candidate) { return setup.Method == candidate.Name; });
+  if (row == GetMethodTable().end())
   {
-    uses = { Use::Installed, Use::RenderSteps, Use::CameraChain };
+    std::printf("FAILED: %s is not in the table of methods\n", setup.Method.c_str());
+    return EXIT_FAILURE;
   }
+  setup.Promise = row->Promise;
+  setup.LargestStack = row->LargestStack;
+
   TestReport report;
-  for (const Storage storage : { Storage::Half, Storage::Float32 })
+  for (const Tier& tier : row->Tiers)
   {
-    for (const Use use : uses)
+    std::vector<Use> uses{ Use::Installed };
+    const bool isFull = tier.Name == std::string(Full.Name);
+    if (setups == Setups::All && isFull)
     {
-      setup.FragmentStorage = storage;
-      setup.UseMode = use;
-      report.SetContext(setup.Describe());
-      body(report, setup);
+      uses = { Use::Installed, Use::RenderSteps, Use::CameraChain };
+    }
+    vtksys::SystemTools::PutEnv(std::string("VTKOIT_HIDE_EXTENSIONS=") + tier.Hidden);
+    setup.Tier = tier.Name;
+    setup.HasStorage = std::string(tier.Hidden).find("storage") == std::string::npos;
+    setup.HasFetch = isFull;
+    for (const Storage storage : row->Storages)
+    {
+      for (const Use use : uses)
+      {
+        setup.FragmentStorage = storage;
+        setup.UseMode = use;
+        report.SetContext(setup.Describe());
+        body(report, setup);
+      }
     }
   }
   return report.GetExitStatus();

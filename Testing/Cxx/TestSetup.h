@@ -32,15 +32,28 @@ enum class Use
   CameraChain  // a sequence of lights, opaque, ours, volumetric, overlay in a vtkCameraPass
 };
 
+/// What the table in TestSetup.cxx promises of a method.
+enum class Expectation
+{
+  Exact,  // within the rounding of its storage of fragments
+  Preview // exact for one layer a pixel, and reported as not exact otherwise
+};
+
 struct Setup
 {
   std::string Method;
+  Expectation Promise = Expectation::Exact;
   Storage FragmentStorage = Storage::Half;
   Use UseMode = Use::Installed;
+  std::string Tier = "all extensions"; // what the context is taken to have
+  bool HasStorage = true;              // in this tier, so the A-buffer can take over
+  bool HasFetch = true;                // in this tier
+  int LargestStack = 4096;             // layers that the method peels in bearable time
 
   std::string Describe() const;
 
-  /// A new pass of this method with this storage; nullptr for an unknown method.
+  /// A new pass of this method with this storage, without a TransmittanceThreshold; nullptr for an
+  /// unknown method.
   vtkSmartPointer<vtkOITPass> CreatePass() const;
 
   /// Puts the pass into the renderer in this setup's way.
@@ -53,8 +66,8 @@ struct Setup
 /// Which setups a test runs for.
 enum class Setups
 {
-  All,     // every storage, every use
-  Storages // every storage, installed: for what cannot depend on the way of use
+  All,     // every storage, every use; every tier, installed
+  Storages // every storage and tier, installed: for what cannot depend on the way of use
 };
 
 /// Runs the body for each setup of the method named on the command line (default: abuffer).
