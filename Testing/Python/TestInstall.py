@@ -129,6 +129,17 @@ class TestProperties(unittest.TestCase):
         self.assertEqual(instance.GetMaximumBufferSize(), 2 ** 20)
         self.assertEqual(vtkoit.create(OcclusionRatio=0.25).GetOcclusionRatio(), 0.25)
 
+    def test_named_values_of_other_methods(self):
+        instance = vtkoit.create("multilayer", Synchronization="texture_barrier",
+                                 NumberOfLayersPerPass="4", UseOcclusionQuery="0")
+        self.assertEqual(instance.GetSynchronization(), instance.TEXTURE_BARRIER)
+        self.assertEqual(instance.GetNumberOfLayersPerPass(), 4)
+        self.assertFalse(instance.GetUseOcclusionQuery())
+        for mode in ("average", "sum", "blended"):
+            self.assertEqual(vtkoit.properties("weighted-" + mode)["Mode"], mode)
+        with self.assertRaisesRegex(ValueError, "^NumberOfLayersPerPass 5 is refused; give 4, 8"):
+            vtkoit.create("multilayer", NumberOfLayersPerPass=5)
+
     def refused(self, text, **values):
         with self.assertRaises(ValueError) as caught:
             vtkoit.create("abuffer", **values)

@@ -8,6 +8,7 @@ import unittest
 
 import numpy
 import Support
+import vtkoit
 
 
 class TestRender(Support.FolderTest):
@@ -141,6 +142,22 @@ class TestRender(Support.FolderTest):
         self.render("a.vtp", "--method", "abuffer", "--set", "FragmentPrecision=float",
                     "--set", "maximum_buffer_size=4194304")
 
+    def test_every_method(self):
+        Support.write_sphere(self.path("outer.vtp"), 2.0)
+        Support.write_sphere(self.path("inner.vtp"), 1.0)
+        names = vtkoit.methods()
+        for name in ("abuffer", "peel", "dual", "multilayer", "weighted-average", "weighted-sum",
+                     "weighted-blended"):
+            self.assertIn(name, names)
+        for name in names:
+            algorithm = vtkoit.create(name).GetAlgorithmName()
+            _, text = self.render("outer.vtp", "inner.vtp", "--opacity", "0.3", "0.6",
+                                  "--method", name)
+            # Not another one in its place: by default without multisampling, which most cannot.
+            self.assertIn("by %s," % algorithm, text)
+        _, text = self.render("outer.vtp", "--opacity", "0.3", "--method", "dual", "--samples", "4")
+        self.assertIn("by A-buffer,", text)
+
     def test_other_formats_of_pictures(self):
         Support.write_sphere(self.path("a.vtp"))
         for name, start in (("a.jpg", b"\xff\xd8"), ("a.tif", b"II"), ("a.bmp", b"BM"),
@@ -154,6 +171,48 @@ class TestRender(Support.FolderTest):
         Support.write_sphere(self.path("a.vtp"))
         for size in ((1, 1), (3, 7), (257, 129)):
             self.render("a.vtp", size=size)
+
+
+class TestMethods(unittest.TestCase):
+    """Every method in one scene, in this process."""
+
+    def draw(self, name, **properties):
+        renderer = Support.sphere_renderer()
+        instance = vtkoit.install(renderer, name, **properties)
+        return instance, Support.draw(renderer).astype(int)
+
+    def test_exact_methods_agree_and_weighted_ones_tell(self):
+        reference_pass, reference = self.draw("abuffer", FragmentPrecision="float")
+        self.assertTrue(reference_pass.GetExact())
+        self.assertGreater(reference_pass.GetMaximumDepthComplexity(), 3)
+        for name in vtkoit.methods():
+            with self.subTest(name):
+                self.compare(name, reference_pass, reference)
+
+    def compare(self, name, reference_pass, reference):
+        has_threshold = "TransmittanceThreshold" in vtkoit.properties(name)
+        instance, pixels = self.draw(name, **{"TransmittanceThreshold": 0} if has_threshold else {})
+        self.assertEqual(instance.GetAlgorithmName(), vtkoit.create(name).GetAlgorithmName())
+        self.assertEqual(instance.GetNumberOfFragments(), reference_pass.GetNumberOfFragments())
+        difference = abs(pixels - reference).max()
+        if name.startswith("weighted-"):
+            self.assertFalse(instance.GetExact())
+            self.assertEqual(instance.GetErrorBound(), 1.0)
+            self.assertEqual(instance.GetNumberOfGeometryPasses(), 1)
+            self.assertGreater(difference, 2)
+        else:
+            self.assertTrue(instance.GetExact())
+            self.assertEqual(instance.GetErrorBound(), 0.0)
+            self.assertLessEqual(difference, 2)
+
+    def test_weighted_methods_are_exact_without_overlap(self):
+        for name in vtkoit.methods():
+            renderer = Support.quad_renderer()
+            Support.add_quad(renderer, 0.0, (0.2, 0.5, 0.8), 0.5)
+            instance = vtkoit.install(renderer, name)
+            pixel = Support.draw(renderer, (20, 20))[10, 10]
+            numpy.testing.assert_allclose(pixel, [25.5, 63.75, 102, 255], atol=1.0)
+            self.assertTrue(instance.GetExact(), name)
 
 
 if __name__ == "__main__":

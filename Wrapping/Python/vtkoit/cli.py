@@ -116,8 +116,9 @@ def _add_render(render):
     option("--zoom", default="1", metavar="F", help="above 1 for closer (default: %(default)s)")
     option("--parallel", action="store_true", help="parallel instead of perspective projection")
     option("--size", default="1000x800", metavar="WxH", help="pixels (default: %(default)s)")
-    option("--samples", type=int, default=4, metavar="N",
-           help="multisampling for smooth edges, 0 for none (default: %(default)s)")
+    option("--samples", type=int, metavar="N",
+           help="multisampling for smooth edges, 0 for none (default: 4 for abuffer, otherwise 0: "
+                "the other methods cannot)")
     option("--method", default="abuffer", metavar="M",
            help="see the command info (default: %(default)s)")
     option("--set", action="append", metavar="NAME=VALUE",

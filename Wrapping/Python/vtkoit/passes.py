@@ -99,19 +99,19 @@ def _property_names(instance):
 
 
 def _named_values(instance, name):
-    """The named values of a property, dict of lower-case str to setter; empty for most."""
-    prefix = "Set%sTo" % name
-    return {_plain(setter[len(prefix):]): getattr(instance, setter)
-            for setter in dir(instance) if setter.startswith(prefix)}
+    """The named values of a property, dict of lower-case str to int; empty for most."""
+    owner = type(instance)
+    enumeration = getattr(owner, name + "Type", None)
+    if not isinstance(enumeration, type):
+        return {}
+    return {constant.lower(): int(getattr(owner, constant)) for constant in dir(owner)
+            if isinstance(getattr(owner, constant), enumeration)}
 
 
 def _read(instance, name):
     value = getattr(instance, "Get" + name)()
-    if not isinstance(value, int):
-        return value
-    # Enumerations: the constant of that name tells the number.
-    for text in _named_values(instance, name):
-        if getattr(instance, text.upper(), None) == value:
+    for text, number in _named_values(instance, name).items():
+        if number == value:
             return text
     return value
 
@@ -119,11 +119,12 @@ def _read(instance, name):
 def _write(instance, name, value):
     named = _named_values(instance, name)
     if isinstance(value, str):
-        if _plain(value) in named:
-            named[_plain(value)]()
-            return
+        numbers = {_plain(text): number for text, number in named.items()}
         try:
-            value = int(value) if value.strip().lstrip("+-").isdigit() else float(value)
+            if _plain(value) in numbers:
+                value = numbers[_plain(value)]
+            else:
+                value = int(value) if value.strip().lstrip("+-").isdigit() else float(value)
         except ValueError:
             expected = "one of %s" % ", ".join(sorted(named)) if named else "a number"
             raise ValueError("%s=%r is refused; give %s" % (name, value, expected)) from None

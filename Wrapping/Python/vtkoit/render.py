@@ -13,6 +13,7 @@ from .surfaces import Request, make_surfaces
 from .windows import headless, make_window
 
 LARGEST_SIDE = 16384  # pixels
+MULTISAMPLED = {"abuffer"}  # methods that keep the samples of a pixel apart
 
 
 def parse_size(text):
@@ -73,7 +74,7 @@ def run(arguments, progress):
     camera.place(renderer, options.camera, options.up, options.zoom, arguments.parallel,
                  options.size[0] / options.size[1])
     progress.begin("rendering")
-    pixels, seconds = draw(renderer, options.size, arguments.samples, translucency)
+    pixels, seconds = draw(renderer, options.size, options.samples, translucency)
     picture.save(pixels, arguments.output, options.style.background is None)
     progress.clear()
     for note in notes:
@@ -129,8 +130,11 @@ class _Options:
         self.style = self._style(arguments)
         picture.check_output(arguments.output, self.style.background is None)
         self.request = self._request(arguments)
-        if not 0 <= arguments.samples <= 16:
-            raise Error("--samples %d: give 0 (none) to 16" % arguments.samples)
+        self.samples = arguments.samples
+        if self.samples is None:
+            self.samples = 4 if arguments.method in MULTISAMPLED else 0
+        if not 0 <= self.samples <= 16:
+            raise Error("--samples %d: give 0 (none) to 16" % self.samples)
 
     @staticmethod
     def _spacing(text):
