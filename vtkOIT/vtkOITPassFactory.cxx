@@ -3,6 +3,7 @@
 #include "vtkOITPassFactory.h"
 
 #include "vtkOITABufferPass.h"
+#include "vtkOITBucketPeelingPass.h"
 #include "vtkOITDepthPeelingPass.h"
 #include "vtkOITDualDepthPeelingPass.h"
 #include "vtkOITMultiLayerPeelingPass.h"
@@ -33,11 +34,14 @@ vtkOITPass* CreateInMode()
   return pass;
 }
 
-const std::array<Method, 7> Methods = { {
+const std::array<Method, 10> Methods = { {
   { "abuffer", CreateAs<vtkOITABufferPass> },
   { "peel", CreateAs<vtkOITDepthPeelingPass> },
   { "dual", CreateAs<vtkOITDualDepthPeelingPass> },
   { "multilayer", CreateAs<vtkOITMultiLayerPeelingPass> },
+  { "bucket", CreateInMode<vtkOITBucketPeelingPass, vtkOITBucketPeelingPass::UNIFORM> },
+  { "bucket-pairs", CreateInMode<vtkOITBucketPeelingPass, vtkOITBucketPeelingPass::PAIRS> },
+  { "bucket-adaptive", CreateInMode<vtkOITBucketPeelingPass, vtkOITBucketPeelingPass::ADAPTIVE> },
   { "weighted-average", CreateInMode<vtkOITWeightedPass, vtkOITWeightedPass::AVERAGE> },
   { "weighted-sum", CreateInMode<vtkOITWeightedPass, vtkOITWeightedPass::SUM> },
   { "weighted-blended", CreateInMode<vtkOITWeightedPass, vtkOITWeightedPass::BLENDED> },

@@ -69,6 +69,8 @@ void vtkOITPeelState::Begin(const vtkOITFrame& frame, const vtkOITRectangle& ban
   this->TheLayout = layout;
   this->TransmittanceThreshold = transmittanceThreshold;
   this->InPlace = CanWorkInPlace(frame);
+  this->TestsDepth = glIsEnabled(GL_DEPTH_TEST) == GL_TRUE;
+  glGetIntegerv(GL_DEPTH_FUNC, &this->DepthFunction);
   this->HasMask = false;
   this->Current = 0;
   this->Region.Begin(
@@ -138,9 +140,21 @@ bool vtkOITPeelState::BindForGather(vtkOITFramebuffer& framebuffer,
     state->vtkglDepthFunc(this->Side == MaskSide::Front ? GL_GEQUAL : GL_LEQUAL);
     depth = this->MaskDepth.GetLayer(0);
   }
-  else if (this->Frame->Target.DepthBits > 0)
+  else
   {
-    depth = this->OpaqueDepth.GetAttachment();
+    if (this->TestsDepth)
+    {
+      state->vtkglEnable(GL_DEPTH_TEST);
+    }
+    else
+    {
+      state->vtkglDisable(GL_DEPTH_TEST);
+    }
+    state->vtkglDepthFunc(this->DepthFunction);
+    if (this->Frame->Target.DepthBits > 0)
+    {
+      depth = this->OpaqueDepth.GetAttachment();
+    }
   }
   const bool isComplete = framebuffer.Bind(this->Frame->Window, colors, depth);
   this->SetScissorOfResolve();

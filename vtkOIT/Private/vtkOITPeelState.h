@@ -107,6 +107,8 @@ private:
   vtkOITPeelRegion Region;
   double TransmittanceThreshold = 0.0;
   bool InPlace = false;
+  bool TestsDepth = true;          // as the frame has it
+  GLint DepthFunction = GL_LEQUAL; // as the frame has it
   bool HasMask = false;
   MaskSide Side = MaskSide::Front; // of the Mask
 
