@@ -70,7 +70,8 @@ Image RenderPieces(TestRig& rig, const std::vector<Piece>& pieces)
 
 int TestDrawOrder(int argc, char* argv[])
 {
-  std::map<Storage, Image> firstUse; // the picture of the first way of use, for each storage
+  // The picture of the first way of use, for each tier and storage.
+  std::map<std::pair<std::string, Storage>, Image> firstUse;
   return RunTest(argc, argv, Setups::All,
     [&](TestReport& report, const Setup& setup)
     {
@@ -96,7 +97,7 @@ int TestDrawOrder(int argc, char* argv[])
       rig.Pass->SetMaximumBufferSize(0);
       report.CompareBits("without a limit again", rig.Render(), first);
 
-      const auto other = firstUse.emplace(setup.FragmentStorage, first);
+      const auto other = firstUse.emplace(std::make_pair(setup.Tier, setup.FragmentStorage), first);
       report.CompareBits("as in the first way of use", first, other.first->second);
     });
 }

@@ -147,7 +147,9 @@ int TestResources(int argc, char* argv[])
         "not checked: AddressSanitizer's quarantine keeps freed memory; its leak check at "
         "the end of the process takes the place of this one\n");
 #else
-      report.Check(growth < 8.0, "the process grew by " + std::to_string(growth) + " MiB");
+      // The others keep 35 bytes and more per pixel, which would be 105 MiB.
+      const double allowed = setup.Method == "abuffer" ? 8.0 : 50.0;
+      report.Check(growth < allowed, "the process grew by " + std::to_string(growth) + " MiB");
 #endif
     });
 }

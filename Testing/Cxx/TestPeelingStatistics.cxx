@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What a peeling pass says about a frame: geometry passes as its documentation promises, fragments,
+// depth complexity, and a bound for what was cut off that holds.
+
+#include "TestRandom.h"
+#include "TestRig.h"
+
+#include "vtkOITBucketPeelingPass.h"
+#include "vtkOITMultiLayerPeelingPass.h"
+#include "vtkOITPeelingPass.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace vtkOITTest;
+
+namespace
+{
+constexpr int Width = 24;
+constexpr int Height = 16;
+
+/// The largest number of geometry passes for N layers without collisions or coincident fragments.
+int GetLargestNumberOfPasses(const Setup& setup, vtkOITPass* pass, int layers)
+{
+  if (setup.Method == "peel")
+  {
+    return layers + 1;
+  }
+  if (setup.Method == "dual")
+  {
+    return layers / 2 + 2;
+  }
+  if (auto* multiLayer = vtkOITMultiLayerPeelingPass::SafeDownCast(pass))
+  {
+    const int k = multiLayer->GetNumberOfLayersPerPass();
+    const int ordered = (layers + k - 1) / k;
+    return setup.HasFetch ? ordered : ordered * (k + 2) + 1;
+  }
+  return 4 * layers; // buckets: a peel of at most 4 passes for each layer, if all collide
+}
+
+void CheckCounts(TestReport& report, TestRig& rig, const Setup& setup, int layers)
+{
+  const std::string what = std::to_string(layers) + " layers";
+  rig.RemoveProps();
+  rig.AddStack(Random(50 + layers).Layers(layers));
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    rig.Render();
+    const int passes = rig.Pass->GetNumberOfGeometryPasses();
+    const int largest = GetLargestNumberOfPasses(setup, rig.Pass, layers);
+    const bool isFixed = setup.Method == "peel" || (setup.Method == "multilayer" && setup.HasFetch);
+    report.Check(isFixed ? passes == largest : passes <= largest,
+      what + ", frame " + std::to_string(frame) + ": " + std::to_string(passes) +
+        " geometry passes, expected " + std::to_string(largest));
+    report.Check(rig.Pass->GetNumberOfFragments() == vtkTypeInt64(layers) * Width * Height,
+      what + ": fragments " + std::to_string(rig.Pass->GetNumberOfFragments()));
+    report.Check(rig.Pass->GetMaximumDepthComplexity() == layers,
+      what + ": depth complexity " + std::to_string(rig.Pass->GetMaximumDepthComplexity()));
+    report.Check(rig.Pass->GetExact() && rig.Pass->GetErrorBound() == 0.0, what + ": not exact");
+  }
+}
+
+/// Within the bound that the pass states, and the bound is not an empty one.
+void CheckBound(TestReport& report, TestRig& rig, const Setup& setup,
+  const std::vector<Layer>& layers, const std::string& what, double largestBound)
+{
+  rig.RemoveProps();
+  rig.AddStack(layers);
+  const Image image = rig.Render();
+  const double bound = rig.Pass->GetErrorBound();
+  report.Check(!rig.Pass->GetExact() && bound > 0.0 && bound <= largestBound,
+    what + ": the error bound is " + std::to_string(bound));
+  report.Compare(what, image,
+    Everywhere(ReferenceCompositor::Composite(layers, rig.GetBackground())),
+    ReferenceCompositor::RoundingBound(layers, rig.GetBackground(), setup.FragmentStorage) +
+      Tolerance{ bound, bound });
+}
+
+void CheckLimits(TestReport& report, TestRig& rig, const Setup& setup)
+{
+  auto* pass = vtkOITPeelingPass::SafeDownCast(rig.Pass);
+  const std::vector<Layer> layers = EqualLayers(Random(5).Depths(40), { 0.9f, 0.2f, 0.1f, 0.1f });
+  std::vector<Layer> colors = layers;
+  Random random(6);
+  for (Layer& layer : colors)
+  {
+    layer.Color = glm::vec4(random.Uniform(), random.Uniform(), random.Uniform(), 0.1);
+  }
+
+  pass->SetMaximumNumberOfPeels(2);
+  CheckBound(report, rig, setup, colors, "two peels", 1.0);
+  pass->SetUseOcclusionQuery(false);
+  CheckBound(report, rig, setup, colors, "two peels without queries", 1.0);
+  const int passes = pass->GetNumberOfGeometryPasses();
+  rig.RemoveProps();
+  rig.AddStack({ layers[0] });
+  rig.Render();
+  report.Check(pass->GetNumberOfGeometryPasses() == passes || setup.Method == "multilayer",
+    "without queries the number of geometry passes depends on the scene");
+  pass->SetUseOcclusionQuery(true);
+  pass->SetMaximumNumberOfPeels(0);
+
+  // Layers behind 9 of opacity 1/2 are skipped: T = 1/512.
+  std::vector<Layer> dark = EqualLayers(Random(7).Depths(14), { 0.0f, 0.0f, 0.0f, 0.5f });
+  std::sort(
+    dark.begin(), dark.end(), [](const Layer& a, const Layer& b) { return a.Depth < b.Depth; });
+  for (int i = 9; i < 14; ++i)
+  {
+    dark[i].Color = { 1.0f, 1.0f, 1.0f, 0.5f };
+  }
+  if (setup.Method == "peel") // others may have peeled some of them already
+  {
+    pass->SetTransmittanceThreshold(1.0 / 512);
+    CheckBound(report, rig, setup, dark, "black in front of white", 1.0 / 512 + 1e-6);
+    report.Check(pass->GetNumberOfGeometryPasses() == 10,
+      "black in front of white: " + std::to_string(pass->GetNumberOfGeometryPasses()) + " passes");
+    pass->SetTransmittanceThreshold(0.0);
+  }
+
+  pass->SetOcclusionRatio(0.5);
+  rig.RemoveProps();
+  rig.AddStack({ layers[0], layers[1] });
+  for (const Layer& layer : colors)
+  {
+    rig.AddQuad(layer, { 0.0, 0.0, 8.0, 8.0 }); // a sixth of the pixels
+  }
+  rig.Render();
+  report.Check(!pass->GetExact() && pass->GetErrorBound() > 0.0 && pass->GetErrorBound() <= 1.0,
+    "occlusion ratio: nothing was cut off");
+  pass->SetOcclusionRatio(0.0);
+}
+
+void CheckLayersPerPass(TestReport& report, TestRig& rig, const Setup& setup)
+{
+  auto* pass = vtkOITMultiLayerPeelingPass::SafeDownCast(rig.Pass);
+  if (!pass)
+  {
+    return;
+  }
+  pass->SetNumberOfLayersPerPass(4);
+  for (const int layers : { 1, 4, 5, 13 })
+  {
+    CheckCounts(report, rig, setup, layers);
+  }
+  if (setup.HasFetch)
+  {
+    pass->SetNumberOfLayersPerPass(16);
+    for (const int layers : { 16, 17, 40 })
+    {
+      const std::vector<Layer> stack = Random(layers).Layers(layers);
+      CheckBound(report, rig, setup, stack, "16 a pass, " + std::to_string(layers), 0.1);
+      report.Check(pass->GetNumberOfGeometryPasses() == (layers + 15) / 16, "16 a pass: passes");
+    }
+    pass->SetSynchronization(vtkOITMultiLayerPeelingPass::TEXTURE_BARRIER);
+    pass->SetNumberOfLayersPerPass(8);
+    const std::vector<Layer> stack = Random(3).Layers(20);
+    rig.RemoveProps();
+    rig.AddStack(stack);
+    report.Compare("the paper's scheme", rig.Render(),
+      Everywhere(ReferenceCompositor::Composite(stack, rig.GetBackground())),
+      ReferenceCompositor::RoundingBound(stack, rig.GetBackground(), setup.FragmentStorage));
+    pass->SetSynchronization(vtkOITMultiLayerPeelingPass::AUTOMATIC);
+  }
+  pass->SetNumberOfLayersPerPass(8);
+}
+
+/// The paper's single shot: of fragments that share a bucket, one or two are captured.
+void CheckSingleShot(TestReport& report, TestRig& rig, const Setup& setup)
+{
+  auto* pass = vtkOITBucketPeelingPass::SafeDownCast(rig.Pass);
+  if (!pass)
+  {
+    return;
+  }
+  pass->SetMaximumNumberOfPeels(1);
+  for (const int range : { vtkOITBucketPeelingPass::BOUNDS, vtkOITBucketPeelingPass::EXACT })
+  {
+    pass->SetDepthRange(range);
+    const glm::vec4 color(0.9f, 0.2f, 0.1f, 0.25f);
+    const int geometryPasses = 10 + (range == vtkOITBucketPeelingPass::EXACT ? 1 : 0) +
+      (setup.Method == "bucket-adaptive" ? 1 : 0);
+    rig.RemoveProps();
+    rig.AddStack(EqualLayers({ 0.1f, 0.3f, 0.5f, 0.7f, 0.9f }, color));
+    rig.Render();
+    report.Check(pass->GetExact() && pass->GetNumberOfLostFragments() == 0,
+      "one fragment a bucket: not exact");
+    report.Check(pass->GetNumberOfGeometryPasses() == geometryPasses,
+      "single shot: " + std::to_string(pass->GetNumberOfGeometryPasses()) + " geometry passes");
+
+    // Four within 2^-20: a uniform bucket keeps one, a pair two, a bin of the histogram one.
+    const float close = std::ldexp(1.0f, -20);
+    rig.RemoveProps();
+    rig.AddStack(
+      EqualLayers({ 0.1f, 0.5f, 0.5f + close, 0.5f + 2 * close, 0.5f + 3 * close, 0.9f }, color));
+    rig.Render();
+    const vtkTypeInt64 lost = (setup.Method == "bucket-pairs" ? 2 : 3) * Width * Height;
+    report.Check(!pass->GetExact() && pass->GetNumberOfLostFragments() == lost,
+      "collisions: " + std::to_string(pass->GetNumberOfLostFragments()) + " lost, expected " +
+        std::to_string(lost));
+  }
+  pass->SetDepthRange(vtkOITBucketPeelingPass::EXACT);
+  pass->SetMaximumNumberOfPeels(0);
+  const std::vector<Layer> one{ { 0.5f, { 0.9f, 0.2f, 0.1f, 0.25f } } }; // zmin = zmax
+  rig.RemoveProps();
+  rig.AddStack(one);
+  report.Compare("one layer, exact range", rig.Render(),
+    Everywhere(ReferenceCompositor::Composite(one, rig.GetBackground())),
+    ReferenceCompositor::RoundingBound(one, rig.GetBackground(), setup.FragmentStorage));
+  pass->SetDepthRange(vtkOITBucketPeelingPass::BOUNDS);
+}
+}
+
+int TestPeelingStatistics(int argc, char* argv[])
+{
+  return RunTest(argc, argv, Setups::Storages,
+    [](TestReport& report, const Setup& setup)
+    {
+      TestRig rig(setup, Width, Height);
+      for (const int layers : { 1, 2, 3, 4, 5, 6, 7, 8, 9, 15, 16, 17, 20 })
+      {
+        CheckCounts(report, rig, setup, layers);
+      }
+      CheckLayersPerPass(report, rig, setup);
+      CheckSingleShot(report, rig, setup);
+      CheckLimits(report, rig, setup);
+    });
+}
