@@ -46,12 +46,17 @@ void CheckCounts(TestReport& report, TestRig& rig, const Setup& setup, int layer
   const std::string what = std::to_string(layers) + " layers";
   rig.RemoveProps();
   rig.AddStack(Random(50 + layers).Layers(layers));
+  // A pass waits for no query before it has peeled as often as in the last frame, so the first
+  // frame of a scene with fewer layers may cost what the last scene did.
+  const int before = rig.Pass->GetNumberOfGeometryPasses();
   for (int frame = 0; frame < 3; ++frame)
   {
     rig.Render();
     const int passes = rig.Pass->GetNumberOfGeometryPasses();
-    const int largest = GetLargestNumberOfPasses(setup, rig.Pass, layers);
-    const bool isFixed = setup.Method == "peel" || (setup.Method == "multilayer" && setup.HasFetch);
+    const int needed = GetLargestNumberOfPasses(setup, rig.Pass, layers);
+    const int largest = frame == 0 ? std::max(needed, before) : needed;
+    const bool isFixed = frame > 0 &&
+      (setup.Method == "peel" || (setup.Method == "multilayer" && setup.HasFetch));
     report.Check(isFixed ? passes == largest : passes <= largest,
       what + ", frame " + std::to_string(frame) + ": " + std::to_string(passes) +
         " geometry passes, expected " + std::to_string(largest));
@@ -69,6 +74,7 @@ void CheckBound(TestReport& report, TestRig& rig, const Setup& setup,
 {
   rig.RemoveProps();
   rig.AddStack(layers);
+  rig.Render(); // may peel as often as the scene before
   const Image image = rig.Render();
   const double bound = rig.Pass->GetErrorBound();
   report.Check(!rig.Pass->GetExact() && bound > 0.0 && bound <= largestBound,
