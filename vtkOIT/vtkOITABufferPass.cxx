@@ -10,6 +10,7 @@
 #include "Private/vtkOITDepthCopy.h"
 #include "Private/vtkOITFragmentStore.h"
 #include "Private/vtkOITFrame.h"
+#include "Private/vtkOITOutput.h"
 #include "Private/vtkOITSavedState.h"
 
 #include "vtkObjectFactory.h"
@@ -29,6 +30,13 @@ constexpr int DepthUnit = 15;
 
 // Fragments per pixel that the first frame has room for.
 constexpr std::int64_t FirstGuess = 4;
+
+/// List heads that are read by framebuffer fetch lie where the pixels lie in the framebuffer.
+std::int64_t GetBytesOfHeadsInTarget(const vtkOITFrame& frame)
+{
+  const vtkOITRectangle& r = frame.Rectangle;
+  return INT64_C(4) * (r.X + r.Width) * (r.Y + r.Height);
+}
 }
 
 /// What lives from frame to frame, and the band that is being rendered.
@@ -93,8 +101,7 @@ void vtkOITABufferPass::Internals::ChooseShaders(const vtkOITFrame& frame, bool 
   shaders.Samples = frame.Target.Samples;
   shaders.FloatColor = floatColor;
   shaders.NodesInImage = this->Store.GetNodesInImage();
-  shaders.FramebufferFetch =
-    frame.Capabilities->FramebufferFetch && frame.Target.CoarseColor && frame.Target.Samples == 0;
+  shaders.FramebufferFetch = vtkOITWritesByFetch(frame);
   shaders.PostDepthCoverage = frame.Capabilities->PostDepthCoverage;
   shaders.HeadInTarget = this->HeadInTarget;
   if (shaders != this->Shaders || this->ShaderTime.GetMTime() == 0)
@@ -118,9 +125,11 @@ std::int64_t vtkOITABufferPass::Internals::GetLargestPool(
   // Other bands may be one row higher, and lie otherwise on the tiles.
   vtkOITRectangle highest = this->Band;
   ++highest.Height;
-  return std::min(bytes,
-    maximumBytes - vtkOITFragmentStore::GetFixedBytes(highest) -
-      vtkOITDepthCopy::GetBytes(highest, frame.Target));
+  const std::int64_t heads = this->HeadInTarget ? GetBytesOfHeadsInTarget(frame) : 0;
+  const std::int64_t depth =
+    this->HeadInTarget ? 0 : vtkOITDepthCopy::GetBytes(highest, frame.Target);
+  return std::min(
+    bytes, maximumBytes - heads - vtkOITFragmentStore::GetFixedBytes(highest) - depth);
 }
 
 //------------------------------------------------------------------------------
@@ -210,13 +219,13 @@ vtkTypeInt64 vtkOITABufferPass::RenderBand(vtkOITFrame& frame)
 
 //------------------------------------------------------------------------------
 // Framebuffer fetch saves an atomic a fragment, and leaves all depth tests to the hardware. Its
-// heads cover the framebuffer, so it is not for limited memory.
+// heads cover the framebuffer, so it is not for memory that is limited to little more.
 void vtkOITABufferPass::Internals::ChooseCapture(
   const vtkOITFrame& frame, vtkTypeInt64 maximumBytes)
 {
   this->HeadInTarget = this->HeadInTargetWorks && frame.Capabilities->FramebufferFetch &&
     frame.Target.Samples == 0 && frame.Target.Framebuffer != 0 && frame.Target.DepthBits > 0 &&
-    maximumBytes == 0;
+    (maximumBytes == 0 || GetBytesOfHeadsInTarget(frame) <= maximumBytes / 4);
   this->Store.SetWholeFramebuffer(this->HeadInTarget);
 }
 

@@ -15,6 +15,8 @@
 #include "vtkRenderer.h"
 #include "vtkTranslucentPass.h"
 
+#include <algorithm>
+
 //------------------------------------------------------------------------------
 vtkOITPass::vtkOITPass()
 {
@@ -142,10 +144,8 @@ void vtkOITPass::Render(const vtkRenderState* state)
   GLint viewport[4];
   glGetIntegerv(GL_VIEWPORT, viewport);
   frame.Viewport = { viewport[0], viewport[1], viewport[2], viewport[3] };
-  frame.Rectangle = vtkOITFindScreenRectangle(renderer,
-    { frame.GetState()->GetPropArray(),
-      frame.GetState()->GetPropArray() + frame.GetState()->GetPropArrayCount() },
-    frame.Viewport);
+  frame.Rectangle = vtkOITFindScreenRectangle(
+    vtkOITFindScreenExtents(renderer, frame.GetProps(), frame.Viewport));
   if (glIsEnabled(GL_SCISSOR_TEST))
   {
     GLint scissor[4];
@@ -204,23 +204,30 @@ bool vtkOITPass::RenderByFallback(vtkOITFrame& frame, const std::string& reason)
     if (!pass.IsA(this->GetClassName()) && pass.FindMissing(frame).empty())
     {
       this->Report("Rendered by another exact method: ", reason);
-      pass.SetTranslucentPass(this->TranslucentPass);
       pass.SetMaximumBufferSize(this->MaximumBufferSize);
-      pass.SetFragmentPrecision(this->FragmentPrecision);
-      pass.ResetStatistics();
-      pass.RenderFrame(frame);
-      this->NumberOfRenderedProps = pass.NumberOfRenderedProps;
-      this->NumberOfGeometryPasses = pass.NumberOfGeometryPasses;
-      this->NumberOfFragments = pass.NumberOfFragments;
-      this->MaximumDepthComplexity = pass.MaximumDepthComplexity;
-      this->BufferSizeInBytes = pass.BufferSizeInBytes;
-      this->Exact = pass.Exact;
-      this->ErrorBound = pass.ErrorBound;
-      this->LastAlgorithmName = pass.GetOwnAlgorithmName();
+      this->RenderBy(pass, frame);
       return true;
     }
   }
   return false;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPass::RenderBy(vtkOITPass& pass, vtkOITFrame& frame)
+{
+  pass.SetTranslucentPass(this->TranslucentPass);
+  pass.SetFragmentPrecision(this->FragmentPrecision);
+  pass.ResetStatistics();
+  pass.RenderFrame(frame);
+  this->NumberOfRenderedProps += pass.NumberOfRenderedProps;
+  this->NumberOfGeometryPasses += pass.NumberOfGeometryPasses;
+  this->NumberOfFragments += pass.NumberOfFragments;
+  this->MaximumDepthComplexity =
+    std::max(this->MaximumDepthComplexity, pass.MaximumDepthComplexity);
+  this->BufferSizeInBytes = pass.BufferSizeInBytes;
+  this->Exact = this->Exact && pass.Exact;
+  this->ErrorBound = std::max(this->ErrorBound, pass.ErrorBound);
+  this->LastAlgorithmName = pass.GetOwnAlgorithmName();
 }
 
 //------------------------------------------------------------------------------

@@ -148,6 +148,19 @@ protected:
   /// their vtkOpenGLRenderPass::RenderPasses(), so that their shaders are changed by it.
   void RenderGeometry(vtkOITFrame& frame);
 
+  /// Empty when a pass can draw the frame, otherwise one line that says what is missing.
+  static std::string FindMissing(vtkOITPass& pass, const vtkOITFrame& frame)
+  {
+    return pass.FindMissing(frame);
+  }
+
+  /// Lets another pass draw the frame's props, with this pass's delegate and FragmentPrecision, and
+  /// adds its statistics to those of this pass. GetAlgorithmName() is that of the other pass.
+  void RenderBy(vtkOITPass& pass, vtkOITFrame& frame);
+
+  /// Of what drew the last frame; nullptr for the name of the subclass.
+  void SetAlgorithmName(const char* name) { this->LastAlgorithmName = name; }
+
   vtkSmartPointer<vtkRenderPass> TranslucentPass;
   int MaximumNumberOfPeels = 0;
   double OcclusionRatio = 0.0;

@@ -3,6 +3,7 @@
 #include "vtkOITPassFactory.h"
 
 #include "vtkOITABufferPass.h"
+#include "vtkOITAutoPass.h"
 #include "vtkOITBucketPeelingPass.h"
 #include "vtkOITDepthPeelingPass.h"
 #include "vtkOITDualDepthPeelingPass.h"
@@ -34,7 +35,8 @@ vtkOITPass* CreateInMode()
   return pass;
 }
 
-const std::array<Method, 10> Methods = { {
+const std::array<Method, 11> Methods = { {
+  { "auto", CreateAs<vtkOITAutoPass> },
   { "abuffer", CreateAs<vtkOITABufferPass> },
   { "peel", CreateAs<vtkOITDepthPeelingPass> },
   { "dual", CreateAs<vtkOITDualDepthPeelingPass> },

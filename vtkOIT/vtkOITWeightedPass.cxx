@@ -7,6 +7,7 @@
 #include "Private/vtkOITDepthCopy.h"
 #include "Private/vtkOITEyeDepthInterval.h"
 #include "Private/vtkOITFrame.h"
+#include "Private/vtkOITOutput.h"
 #include "Private/vtkOITPixelStatistics.h"
 #include "Private/vtkOITSavedState.h"
 #include "Private/vtkOITShaderText.h"
@@ -61,7 +62,7 @@ public:
 //------------------------------------------------------------------------------
 void vtkOITWeightedPass::Internals::Prepare(const vtkOITFrame& frame, int mode)
 {
-  const bool byFetch = frame.Capabilities->FramebufferFetch && frame.Target.CoarseColor;
+  const bool byFetch = vtkOITWritesByFetch(frame);
   if (mode != this->Mode)
   {
     this->ShaderTime.Modified();
@@ -90,26 +91,12 @@ void vtkOITWeightedPass::Internals::Composite(
   vtkOpenGLState* state = frame.GLState;
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
-  if (this->ByFetch)
-  {
-    state->vtkglDisable(GL_BLEND);
-  }
-  else
-  {
-    state->vtkglEnable(GL_BLEND);
-    state->vtkglBlendEquation(GL_FUNC_ADD);
-    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  }
+  vtkOITSetOutputBlending(state, this->ByFetch);
   this->CompositeStage.Render(
     frame.Window, vtkOITFullScreenVS,
     [this]
     {
-      std::string header = this->GetDefinitions();
-      if (this->ByFetch)
-      {
-        header = vtkOITRequireExtensions({ "GL_EXT_shader_framebuffer_fetch" }) + header +
-          "#define OIT_FRAMEBUFFER_FETCH\n";
-      }
+      const std::string header = vtkOITGetOutputHeader(this->ByFetch) + this->GetDefinitions();
       std::string text = vtkOITWeightedPassCompositeFS;
       vtkOITReplace(text, "//VTK::System::Dec", "//VTK::System::Dec\n" + header);
       vtkOITReplace(text, "//VTK::OIT::Output", vtkOITOutputFS);

@@ -5,6 +5,7 @@
 #include "vtkCameraPass.h"
 #include "vtkLightsPass.h"
 #include "vtkNew.h"
+#include "vtkOITAutoPass.h"
 #include "vtkOITHeadless.h"
 #include "vtkOITPassFactory.h"
 #include "vtkOITPeelingPass.h"
@@ -76,6 +77,8 @@ struct MethodRow
 const std::vector<MethodRow>& GetMethodTable()
 {
   static const std::vector<MethodRow> table = {
+    { "auto", Expectation::Exact, { Storage::Half, Storage::Float32 }, { Full, NoFetch, GL32 },
+      4096 },
     { "abuffer", Expectation::Exact, { Storage::Half, Storage::Float32 }, { Full, NoFetch }, 4096 },
     { "peel", Expectation::Exact, { Storage::Float32 }, { Full, GL32 }, 65 },
     { "dual", Expectation::Exact, { Storage::Float32 }, { Full, GL32 }, 257 },
@@ -126,6 +129,10 @@ vtkSmartPointer<vtkOITPass> Setup::CreatePass() const
   if (auto* peeling = vtkOITPeelingPass::SafeDownCast(pass))
   {
     peeling->SetTransmittanceThreshold(0.0);
+  }
+  if (auto* automatic = vtkOITAutoPass::SafeDownCast(pass))
+  {
+    automatic->SetTransmittanceThreshold(0.0);
   }
   return pass;
 }
@@ -194,7 +201,6 @@ int RunTest(
     return EXIT_FAILURE;
   }
   setup.Promise = row->Promise;
-  setup.LargestStack = row->LargestStack;
 
   TestReport report;
   for (const Tier& tier : row->Tiers)
@@ -209,6 +215,7 @@ int RunTest(
     setup.Tier = tier.Name;
     setup.HasStorage = std::string(tier.Hidden).find("storage") == std::string::npos;
     setup.HasFetch = isFull;
+    setup.LargestStack = setup.HasStorage ? row->LargestStack : std::min(row->LargestStack, 257);
     for (const Storage storage : row->Storages)
     {
       for (const Use use : uses)

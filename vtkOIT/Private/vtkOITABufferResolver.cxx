@@ -3,6 +3,7 @@
 #include "vtkOITABufferResolver.h"
 
 #include "vtkOITFrame.h"
+#include "vtkOITOutput.h"
 
 #include "vtkOITFullScreenVS.h"
 
@@ -133,16 +134,7 @@ void vtkOITABufferResolver::PrepareOutput(
   vtkOpenGLState* state = frame.GLState;
   frame.DrawToFirstBufferOnly();
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  if (this->Shaders.FramebufferFetch)
-  {
-    state->vtkglDisable(GL_BLEND);
-  }
-  else
-  {
-    state->vtkglEnable(GL_BLEND);
-    state->vtkglBlendEquation(GL_FUNC_ADD);
-    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  }
+  vtkOITSetOutputBlending(state, this->Shaders.FramebufferFetch);
   const vtkOITTileGrid& grid = store.GetTileGrid();
   constexpr int size = vtkOITTileGrid::TileSize;
   state->vtkglViewport(

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITABufferShaders.h"
 
+#include "vtkOITOutput.h"
 #include "vtkOITShaderText.h"
 
 #include "vtkOITABufferPassCompositeFS.h"
@@ -87,12 +88,7 @@ std::string vtkOITABufferShaders::GetOutputHeader() const
   {
     header = vtkOITRequireExtensions({ "GL_ARB_sample_shading" }) + header;
   }
-  if (this->FramebufferFetch)
-  {
-    header = vtkOITRequireExtensions({ "GL_EXT_shader_framebuffer_fetch" }) + header +
-      "#define OIT_FRAMEBUFFER_FETCH\n";
-  }
-  return header;
+  return vtkOITGetOutputHeader(this->FramebufferFetch) + header;
 }
 
 //------------------------------------------------------------------------------

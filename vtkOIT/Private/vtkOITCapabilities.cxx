@@ -5,6 +5,7 @@
 #include "vtkOITCompatibility.h"
 #include "vtkOpenGLRenderWindow.h"
 
+#include <vtksys/SystemInformation.hxx>
 #include <vtksys/SystemTools.hxx>
 
 #include <initializer_list>
@@ -54,6 +55,28 @@ std::string FindMissing(const std::set<std::string>& extensions,
   return {};
 }
 
+std::int64_t FindMemory(const std::set<std::string>& extensions)
+{
+  constexpr GLenum totalNVX = 0x9048; // KiB; GLEW and GLAD of VTK do not name them all
+  constexpr GLenum freeTexturesATI = 0x87FC;
+  GLint kibibytes[4] = { 0, 0, 0, 0 };
+  if (extensions.count("GL_NVX_gpu_memory_info") > 0)
+  {
+    glGetIntegerv(totalNVX, kibibytes);
+  }
+  else if (extensions.count("GL_ATI_meminfo") > 0)
+  {
+    glGetIntegerv(freeTexturesATI, kibibytes);
+  }
+  if (kibibytes[0] > 0)
+  {
+    return std::int64_t(kibibytes[0]) * 1024;
+  }
+  vtksys::SystemInformation machine;
+  machine.RunMemoryCheck();
+  return static_cast<std::int64_t>(machine.GetTotalPhysicalMemory()) * 1024 * 1024; // from MiB
+}
+
 std::int64_t GetInteger64(GLenum name)
 {
   GLint64 value = 0;
@@ -85,6 +108,7 @@ vtkOITCapabilities::vtkOITCapabilities(vtkOpenGLRenderWindow* window)
   this->TextureBarrier = has("GL_ARB_texture_barrier");
   this->FramebufferFetch = has("GL_EXT_shader_framebuffer_fetch");
   this->PostDepthCoverage = has("GL_ARB_post_depth_coverage");
+  this->Memory = FindMemory(extensions);
   if (this->HasStorage())
   {
     this->MaximumStorageBlockSize = GetInteger64(GL_MAX_SHADER_STORAGE_BLOCK_SIZE);

@@ -41,6 +41,9 @@ public:
   bool PostDepthCoverage = false;
   /// Bytes that one storage buffer binding reaches.
   std::int64_t MaximumStorageBlockSize = 0;
+  /// Bytes of memory that the context has: of the graphics processor where the driver tells
+  /// (NVX_gpu_memory_info, ATI_meminfo), otherwise of the machine.
+  std::int64_t Memory = 0;
   /// Texels of a buffer texture.
   std::int64_t MaximumTextureBufferSize = 0;
 

@@ -97,10 +97,10 @@ void vtkOITDepthCopy::Copy(const vtkOITFrame& frame, const vtkOITRectangle& stor
 }
 
 //------------------------------------------------------------------------------
-void vtkOITDepthCopy::Unbind(vtkOpenGLState* state, int unit) const
+void vtkOITDepthCopy::BindTo(vtkOpenGLState* state, int unit, GLuint texture) const
 {
   state->vtkglActiveTexture(GL_TEXTURE0 + unit);
-  glBindTexture(this->Target, 0);
+  glBindTexture(this->Target, texture);
 }
 
 //------------------------------------------------------------------------------

@@ -27,7 +27,8 @@ public:
   /// rectangle are undefined. Ends with the texture bound to `unit`, numbered from 0.
   void Copy(const vtkOITFrame& frame, const vtkOITRectangle& storage,
     const vtkOITRectangle& rectangle, int unit);
-  void Unbind(vtkOpenGLState* state, int unit) const;
+  void Bind(vtkOpenGLState* state, int unit) const { this->BindTo(state, unit, this->Texture); }
+  void Unbind(vtkOpenGLState* state, int unit) const { this->BindTo(state, unit, 0); }
 
   vtkOITAttachment GetAttachment() const { return { this->Texture, -1 }; }
   std::int64_t GetSizeInBytes() const;
@@ -36,6 +37,7 @@ public:
   static std::int64_t GetBytes(const vtkOITRectangle& rectangle, const vtkOITTarget& target);
 
 private:
+  void BindTo(vtkOpenGLState* state, int unit, GLuint texture) const;
   void Delete() override;
   void Forget() override;
   void Allocate(const vtkOITFrame& frame, const vtkOITRectangle& rectangle, int unit);

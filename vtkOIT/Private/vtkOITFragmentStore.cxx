@@ -3,6 +3,7 @@
 #include "vtkOITFragmentStore.h"
 
 #include "vtkOITCapabilities.h"
+#include "vtkOITSharedDepth.h"
 
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
@@ -174,44 +175,11 @@ void vtkOITFragmentStore::Begin(const vtkOITRectangle& rectangle)
 //------------------------------------------------------------------------------
 bool vtkOITFragmentStore::BindHeadFramebuffer(vtkOpenGLState* state)
 {
-  const auto getDepth = [](GLenum name)
-  {
-    GLint value = 0;
-    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, name, &value);
-    return value;
-  };
-  GLint bound = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-  const GLint type = bound ? getDepth(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) : GL_NONE;
-  if (type != GL_TEXTURE && type != GL_RENDERBUFFER)
-  {
-    return false;
-  }
-  const auto name = static_cast<GLuint>(getDepth(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
-  const GLint level = type == GL_TEXTURE ? getDepth(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL) : 0;
-
   if (this->HeadFramebuffer == 0)
   {
     glGenFramebuffers(1, &this->HeadFramebuffer);
   }
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->HeadFramebuffer);
-  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Heads, 0);
-  if (type == GL_TEXTURE)
-  {
-    glFramebufferTexture(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, name, level);
-  }
-  else
-  {
-    glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, name);
-  }
-  const GLenum buffer = GL_COLOR_ATTACHMENT0;
-  glDrawBuffers(1, &buffer);
-  if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE)
-  {
-    return true;
-  }
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound);
-  return false;
+  return vtkOITBindWithSharedDepth(state, this->HeadFramebuffer, { this->Heads, -1 });
 }
 
 //------------------------------------------------------------------------------

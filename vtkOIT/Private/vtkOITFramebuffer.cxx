@@ -8,9 +8,8 @@
 #include <algorithm>
 #include <array>
 
-namespace
-{
-void AttachTo(GLenum point, const vtkOITAttachment& attachment)
+//------------------------------------------------------------------------------
+void vtkOITAttachTo(GLenum point, const vtkOITAttachment& attachment)
 {
   if (attachment.Layer >= 0)
   {
@@ -21,6 +20,16 @@ void AttachTo(GLenum point, const vtkOITAttachment& attachment)
     glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, point, GL_TEXTURE_2D, attachment.Texture, 0);
   }
 }
+
+//------------------------------------------------------------------------------
+GLuint vtkOITFramebuffer::Make(vtkOpenGLRenderWindow* window)
+{
+  this->Attach(window);
+  if (this->Framebuffer == 0)
+  {
+    glGenFramebuffers(1, &this->Framebuffer);
+  }
+  return this->Framebuffer;
 }
 
 //------------------------------------------------------------------------------
@@ -39,10 +48,10 @@ bool vtkOITFramebuffer::Bind(vtkOpenGLRenderWindow* window,
     const std::size_t count = std::max(colors.size(), this->Colors.size());
     for (std::size_t i = 0; i < count; ++i)
     {
-      AttachTo(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i),
+      vtkOITAttachTo(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i),
         i < colors.size() ? colors[i] : vtkOITAttachment());
     }
-    AttachTo(GL_DEPTH_ATTACHMENT, depth);
+    vtkOITAttachTo(GL_DEPTH_ATTACHMENT, depth);
     if (colors.empty())
     {
       // Before GL 4.2 a read buffer without an attachment makes a framebuffer incomplete.

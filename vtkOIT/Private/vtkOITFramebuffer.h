@@ -20,6 +20,9 @@ struct vtkOITAttachment
   }
 };
 
+/// Attaches to a point of the framebuffer bound for drawing.
+void vtkOITAttachTo(GLenum point, const vtkOITAttachment& attachment);
+
 /// A framebuffer of the textures that a pass draws into.
 class vtkOITFramebuffer : public vtkOITContextObjects
 {
@@ -35,6 +38,8 @@ public:
   static void DrawInto(int numberOfColors);
 
   GLuint GetName() const { return this->Framebuffer; }
+  /// The name, of a new framebuffer if there was none, for attaching to it otherwise.
+  GLuint Make(vtkOpenGLRenderWindow* window);
 
 private:
   void Delete() override;

@@ -4,6 +4,7 @@
 
 #include "vtkOITCapabilities.h"
 #include "vtkOITFrame.h"
+#include "vtkOITOutput.h"
 #include "vtkOITShaderText.h"
 
 #include "vtkOITFullScreenVS.h"
@@ -277,33 +278,20 @@ void vtkOITPeelState::BindFor(vtkShaderProgram* program) const
 void vtkOITPeelState::Composite()
 {
   vtkOpenGLState* state = this->Frame->GLState;
-  const bool byFetch =
-    this->Frame->Capabilities->FramebufferFetch && this->Frame->Target.CoarseColor;
+  const bool byFetch = vtkOITWritesByFetch(*this->Frame);
   if (byFetch != this->CompositeByFetch)
   {
     this->CompositeStage.Release();
     this->CompositeByFetch = byFetch;
   }
-  if (byFetch)
-  {
-    state->vtkglDisable(GL_BLEND);
-  }
-  else
-  {
-    state->vtkglEnable(GL_BLEND);
-    state->vtkglBlendEquation(GL_FUNC_ADD);
-    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  }
+  vtkOITSetOutputBlending(state, byFetch);
   state->vtkglDisable(GL_DEPTH_TEST);
   this->DrawScreen(
     this->CompositeStage,
     [this, byFetch]
     {
-      std::string header = byFetch
-        ? vtkOITRequireExtensions({ "GL_EXT_shader_framebuffer_fetch" }) +
-          "#define OIT_FRAMEBUFFER_FETCH\n"
-        : std::string();
-      header += this->TheLayout.HasBack ? "#define OIT_BACK 3\n" : "";
+      const std::string header =
+        vtkOITGetOutputHeader(byFetch) + (this->TheLayout.HasBack ? "#define OIT_BACK 3\n" : "");
       std::string text = vtkOITPeelingCompositeFS;
       vtkOITReplace(text, "//VTK::System::Dec", "//VTK::System::Dec\n" + header);
       vtkOITReplace(text, "//VTK::OIT::Output", vtkOITOutputFS);

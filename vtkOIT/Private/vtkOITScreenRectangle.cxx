@@ -13,14 +13,15 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
 
+#include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string>
 
@@ -71,15 +72,14 @@ glm::dmat4 FindProjection(vtkRenderer* renderer)
 
 struct Extent
 {
-  glm::dvec2 Lower{ std::numeric_limits<double>::max() };
-  glm::dvec2 Upper{ std::numeric_limits<double>::lowest() };
+  glm::dvec3 Lower{ std::numeric_limits<double>::max() };
+  glm::dvec3 Upper{ std::numeric_limits<double>::lowest() };
 
-  void Add(const glm::dvec2& pixel, double margin)
+  void Add(const glm::dvec3& point, double margin)
   {
-    this->Lower = glm::dvec2(
-      std::min(this->Lower.x, pixel.x - margin), std::min(this->Lower.y, pixel.y - margin));
-    this->Upper = glm::dvec2(
-      std::max(this->Upper.x, pixel.x + margin), std::max(this->Upper.y, pixel.y + margin));
+    const glm::dvec3 margins(margin, margin, 0.0);
+    this->Lower = glm::min(this->Lower, point - margins);
+    this->Upper = glm::max(this->Upper, point + margins);
   }
 };
 
@@ -95,44 +95,16 @@ bool AddBounds(const glm::dmat4& projection, const double bounds[6],
     {
       return false;
     }
-    const glm::dvec2 ndc = glm::dvec2(clip) / clip.w;
-    extent.Add(glm::dvec2(viewport.X + 0.5 * (ndc.x + 1.0) * viewport.Width,
-                 viewport.Y + 0.5 * (ndc.y + 1.0) * viewport.Height),
+    const glm::dvec3 ndc = glm::dvec3(clip) / clip.w;
+    extent.Add(glm::dvec3(viewport.X + 0.5 * (ndc.x + 1.0) * viewport.Width,
+                 viewport.Y + 0.5 * (ndc.y + 1.0) * viewport.Height, 0.5 * (ndc.z + 1.0)),
       margin);
   }
   return true;
 }
-}
 
-//------------------------------------------------------------------------------
-vtkOITRectangle vtkOITFindScreenRectangle(
-  vtkRenderer* renderer, const std::vector<vtkProp*>& props, const vtkOITRectangle& viewport)
+vtkOITRectangle ClipTo(const vtkOITRectangle& viewport, const Extent& extent)
 {
-  const glm::dmat4 projection = FindProjection(renderer);
-  Extent extent;
-  for (vtkProp* prop : props)
-  {
-    const double propMargin = FindMargin(prop);
-    const double* bounds = propMargin < 0.0 ? nullptr : prop->GetBounds();
-    if (!bounds)
-    {
-      return viewport;
-    }
-    if (!vtkBoundingBox::IsValid(bounds))
-    {
-      continue; // empty data
-    }
-    // Two pixels: one for rounding outwards, one for rasterisation rules and float vertices.
-    if (!AddBounds(projection, bounds, viewport, propMargin + 2.0, extent))
-    {
-      return viewport;
-    }
-  }
-  if (extent.Lower.x > extent.Upper.x)
-  {
-    return {};
-  }
-
   const auto clampTo = [](double value, int lower, int size)
   { return static_cast<int>(std::clamp<double>(value, lower, lower + size)); };
   const int x0 = clampTo(std::floor(extent.Lower.x), viewport.X, viewport.Width);
@@ -140,4 +112,61 @@ vtkOITRectangle vtkOITFindScreenRectangle(
   const int x1 = clampTo(std::ceil(extent.Upper.x), viewport.X, viewport.Width);
   const int y1 = clampTo(std::ceil(extent.Upper.y), viewport.Y, viewport.Height);
   return { x0, y0, x1 - x0, y1 - y0 };
+}
+
+vtkOITScreenExtent FindExtent(
+  vtkProp* prop, const glm::dmat4& projection, const vtkOITRectangle& viewport)
+{
+  vtkOITScreenExtent result;
+  result.Rectangle = viewport;
+  const double propMargin = FindMargin(prop);
+  const double* bounds = propMargin < 0.0 ? nullptr : prop->GetBounds();
+  if (!bounds)
+  {
+    return result;
+  }
+  if (!vtkBoundingBox::IsValid(bounds))
+  {
+    result.Rectangle = {}; // empty data
+    result.IsBounded = true;
+    return result;
+  }
+  // Two pixels: one for rounding outwards, one for rasterisation rules and float vertices.
+  Extent extent;
+  if (AddBounds(projection, bounds, viewport, propMargin + 2.0, extent))
+  {
+    result.Rectangle = ClipTo(viewport, extent);
+    result.Nearest = extent.Lower.z;
+    result.Farthest = extent.Upper.z;
+    result.IsBounded = true;
+    if (result.Farthest < 0.0 || result.Nearest > 1.0)
+    {
+      result.Rectangle = {}; // before the near or behind the far clipping plane
+    }
+  }
+  return result;
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkOITScreenExtent> vtkOITFindScreenExtents(
+  vtkRenderer* renderer, const std::vector<vtkProp*>& props, const vtkOITRectangle& viewport)
+{
+  const glm::dmat4 projection = FindProjection(renderer);
+  std::vector<vtkOITScreenExtent> extents;
+  extents.reserve(props.size());
+  std::transform(props.begin(), props.end(), std::back_inserter(extents),
+    [&](vtkProp* prop) { return FindExtent(prop, projection, viewport); });
+  return extents;
+}
+
+//------------------------------------------------------------------------------
+vtkOITRectangle vtkOITFindScreenRectangle(const std::vector<vtkOITScreenExtent>& extents)
+{
+  vtkOITRectangle rectangle;
+  for (const vtkOITScreenExtent& extent : extents)
+  {
+    rectangle = rectangle.Unite(extent.Rectangle);
+  }
+  return rectangle;
 }

@@ -11,6 +11,16 @@ inout vec4 oitTarget;
 out vec4 oitTarget;
 #endif
 
+// What oitWrite() has written into an empty target, over another one.
+void oitWriteLayer(vec4 layer)
+{
+#ifdef OIT_FRAMEBUFFER_FETCH
+  oitTarget = layer + (1.0 - layer.a) * oitTarget;
+#else
+  oitTarget = layer;
+#endif
+}
+
 void oitWrite(vec3 color, float transmittance)
 {
 #ifdef OIT_FRAMEBUFFER_FETCH

@@ -1,0 +1,329 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkOITBlendPlan.h"
+
+#include "vtkOITFrame.h"
+#include "vtkOITScreenRectangle.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCamera.h"
+#include "vtkMapper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkProp.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace
+{
+/// Window depths nearer to each other may be equal in float32, which makes fragments coincident.
+constexpr double SmallestDepthGap = 4.0 / (1 << 24);
+/// The same for positions, in diagonals of the bounds.
+constexpr double SmallestGap = 1e-4;
+
+/// Pairs grow with the square of the number of props of an island.
+constexpr std::size_t LargestIsland = 256;
+/// Closed props are drawn twice; with many of them that costs more than sorting does.
+constexpr int MostClosedProps = 32;
+
+enum class Relation
+{
+  Apart, // no order is needed
+  FirstInFront,
+  SecondInFront,
+  Unknown
+};
+
+/// Where the camera is, and where it looks to.
+struct View
+{
+  explicit View(vtkCamera* camera)
+    : IsParallel(camera->GetParallelProjection() != 0)
+  {
+    camera->GetPosition(this->Position.data());
+    camera->GetDirectionOfProjection(this->Direction.data());
+  }
+
+  /// Which side of the plane across an axis is in front: that of lower coordinates?
+  bool IsLowerInFront(int axis, double plane) const
+  {
+    return this->IsParallel ? this->Direction[axis] >= 0.0 : this->Position[axis] <= plane;
+  }
+
+  bool IsParallel;
+  std::array<double, 3> Position{};
+  std::array<double, 3> Direction{};
+};
+
+/// Depths, the camera's place, and which faces of triangles are front faces are what they seem.
+bool IsPlain(vtkCamera* camera)
+{
+  const double* shear = camera->GetViewShear();
+  return !camera->GetUserTransform() && !camera->GetUserViewTransform() &&
+    camera->GetUseOffAxisProjection() == 0 && shear[0] == 0.0 && shear[1] == 0.0;
+}
+
+struct Item
+{
+  vtkProp* Prop = nullptr;
+  const vtkOITScreenExtent* Extent = nullptr;
+  vtkOITMeshShape Shape = vtkOITMeshShape::Unknown;
+  std::array<double, 6> Bounds{};
+
+  bool IsClosed() const
+  {
+    return this->Shape == vtkOITMeshShape::ClosedConvex ||
+      this->Shape == vtkOITMeshShape::ClosedConvexInside;
+  }
+  Relation Compare(const Item& other, const View& view) const;
+};
+using Items = std::vector<const Item*>;
+
+Relation Item::Compare(const Item& other, const View& view) const
+{
+  if (this->Extent->Rectangle.Intersect(other.Extent->Rectangle).IsEmpty())
+  {
+    return Relation::Apart;
+  }
+  if (this->Extent->Farthest + SmallestDepthGap < other.Extent->Nearest)
+  {
+    return Relation::FirstInFront;
+  }
+  if (other.Extent->Farthest + SmallestDepthGap < this->Extent->Nearest)
+  {
+    return Relation::SecondInFront;
+  }
+  vtkBoundingBox both(this->Bounds.data());
+  both.AddBounds(other.Bounds.data());
+  const double gap = SmallestGap * both.GetDiagonalLength();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int low = 2 * axis;
+    const int high = low + 1;
+    if (this->Bounds[high] + gap < other.Bounds[low])
+    {
+      return view.IsLowerInFront(axis, this->Bounds[high]) ? Relation::FirstInFront
+                                                           : Relation::SecondInFront;
+    }
+    if (other.Bounds[high] + gap < this->Bounds[low])
+    {
+      return view.IsLowerInFront(axis, other.Bounds[high]) ? Relation::SecondInFront
+                                                           : Relation::FirstInFront;
+    }
+  }
+  return Relation::Unknown;
+}
+
+/// Items whose rectangles touch each other, directly or through others.
+std::vector<Items> FindIslands(const std::vector<Item>& items)
+{
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < items.size(); ++i)
+  {
+    if (!items[i].Extent->Rectangle.IsEmpty())
+    {
+      order.push_back(i);
+    }
+  }
+  const auto getRectangle = [&items](std::size_t i) { return items[i].Extent->Rectangle; };
+  std::sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b) { return getRectangle(a).X < getRectangle(b).X; });
+  std::vector<std::size_t> parents(items.size());
+  std::iota(parents.begin(), parents.end(), std::size_t(0));
+  const auto findRoot = [&parents](std::size_t i)
+  {
+    while (parents[i] != i)
+    {
+      i = parents[i] = parents[parents[i]];
+    }
+    return i;
+  };
+  for (auto a = order.begin(); a != order.end(); ++a)
+  {
+    const int right = getRectangle(*a).X + getRectangle(*a).Width;
+    for (auto b = a + 1; b != order.end() && getRectangle(*b).X < right; ++b)
+    {
+      if (!getRectangle(*a).Intersect(getRectangle(*b)).IsEmpty())
+      {
+        parents[findRoot(*b)] = findRoot(*a);
+      }
+    }
+  }
+  std::vector<Items> byRoot(items.size());
+  for (std::size_t i = 0; i < items.size(); ++i)
+  {
+    if (!items[i].Extent->Rectangle.IsEmpty())
+    {
+      byRoot[findRoot(i)].push_back(&items[i]);
+    }
+  }
+  byRoot.erase(std::remove_if(byRoot.begin(), byRoot.end(),
+                 [](const Items& island) { return island.empty(); }),
+    byRoot.end());
+  return byRoot;
+}
+
+/// Far to near: an item is on a higher level than all items behind it that share pixels with it.
+/// Nothing when some order is not known, or there is none.
+std::vector<Items> FindLevels(const Items& island, const View& view)
+{
+  const std::size_t count = island.size();
+  if (count > LargestIsland ||
+    std::any_of(island.begin(), island.end(),
+      [](const Item* item) { return item->Shape == vtkOITMeshShape::Unknown; }))
+  {
+    return {};
+  }
+  std::vector<std::vector<std::size_t>> inFront(count); // of each
+  std::vector<int> behind(count, 0);                    // how many are
+  for (std::size_t a = 0; a < count; ++a)
+  {
+    for (std::size_t b = a + 1; b < count; ++b)
+    {
+      const Relation relation = island[a]->Compare(*island[b], view);
+      if (relation == Relation::Unknown)
+      {
+        return {};
+      }
+      if (relation != Relation::Apart)
+      {
+        const bool isFirst = relation == Relation::FirstInFront;
+        inFront[isFirst ? b : a].push_back(isFirst ? a : b);
+        ++behind[isFirst ? a : b];
+      }
+    }
+  }
+  std::vector<Items> levels;
+  std::vector<std::size_t> next;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (behind[i] == 0)
+    {
+      next.push_back(i);
+    }
+  }
+  std::size_t placed = 0;
+  while (!next.empty())
+  {
+    levels.emplace_back();
+    std::vector<std::size_t> after;
+    for (const std::size_t i : next)
+    {
+      levels.back().push_back(island[i]);
+      ++placed;
+      for (const std::size_t j : inFront[i])
+      {
+        if (--behind[j] == 0)
+        {
+          after.push_back(j);
+        }
+      }
+    }
+    next.swap(after);
+  }
+  return placed == count ? levels : std::vector<Items>(); // fewer: some are in front of each other
+}
+
+int CountLayers(const Items& island)
+{
+  return std::accumulate(island.begin(), island.end(), 0,
+    [](int layers, const Item* item) { return layers + (item->IsClosed() ? 2 : 1); });
+}
+
+void AppendTo(std::vector<vtkOITBlendPlan::Step>& steps, const Items& items, bool areClosed,
+  vtkOITBlendPlan::Faces side)
+{
+  vtkOITBlendPlan::Step step;
+  step.Side = side;
+  for (const Item* item : items)
+  {
+    if (item->IsClosed() == areClosed)
+    {
+      step.Props.push_back(item->Prop);
+    }
+  }
+  if (step.Props.empty())
+  {
+    return;
+  }
+  if (!steps.empty() && side == vtkOITBlendPlan::Faces::All && steps.back().Side == side)
+  {
+    std::vector<vtkProp*>& props = steps.back().Props;
+    props.insert(props.end(), step.Props.begin(), step.Props.end());
+    return;
+  }
+  steps.push_back(std::move(step));
+}
+}
+
+//------------------------------------------------------------------------------
+vtkOITBlendPlan::vtkOITBlendPlan(const vtkOITFrame& frame,
+  const std::vector<vtkOITScreenExtent>& extents, vtkOITMeshShapes& shapes)
+{
+  vtkCamera* camera = frame.GetState()->GetRenderer()->GetActiveCamera();
+  // Polygon offset moves depths away from where the bounds say.
+  const bool hasPlainDepth = vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF &&
+    IsPlain(camera) && !frame.Window->GetStereoRender();
+  std::vector<Item> items(extents.size());
+  int closedProps = 0;
+  for (std::size_t i = 0; i < items.size(); ++i)
+  {
+    Item& item = items[i];
+    item.Prop = frame.GetProps()[i];
+    item.Extent = &extents[i];
+    if (hasPlainDepth && extents[i].IsBounded && !extents[i].Rectangle.IsEmpty())
+    {
+      item.Shape = shapes.Find(item.Prop);
+      std::copy_n(item.Prop->GetBounds(), 6, item.Bounds.begin());
+      closedProps += item.IsClosed() ? 1 : 0;
+      if (item.Shape == vtkOITMeshShape::ClosedConvexInside)
+      {
+        this->InsideOut.push_back(item.Prop);
+      }
+    }
+  }
+  shapes.Prune();
+
+  const View view(camera);
+  std::vector<Items> levels;
+  for (const Items& island : FindIslands(items))
+  {
+    const bool isTooMuch = closedProps > MostClosedProps &&
+      std::any_of(island.begin(), island.end(), [](const Item* item) { return item->IsClosed(); });
+    const std::vector<Items> found = isTooMuch ? std::vector<Items>() : FindLevels(island, view);
+    levels.resize(std::max(levels.size(), found.size()));
+    for (std::size_t level = 0; level < found.size(); ++level)
+    {
+      levels[level].insert(levels[level].end(), found[level].begin(), found[level].end());
+    }
+    if (!found.empty())
+    {
+      this->NumberOfBlendedProps += static_cast<int>(island.size());
+      this->MaximumLayers = std::max(this->MaximumLayers, CountLayers(island));
+    }
+    for (const Item* item : island)
+    {
+      vtkOITRectangle& rectangle = found.empty() ? this->SortedRectangle : this->BlendRectangle;
+      rectangle = rectangle.Unite(item->Extent->Rectangle);
+      if (found.empty())
+      {
+        this->Sorted.push_back(item->Prop);
+      }
+    }
+  }
+  for (const Items& level : levels)
+  {
+    AppendTo(this->Steps, level, true, Faces::Far);
+    AppendTo(this->Steps, level, true, Faces::Near);
+    AppendTo(this->Steps, level, false, Faces::All);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITBlendPlan::IsInsideOut(vtkProp* prop) const
+{
+  return std::find(this->InsideOut.begin(), this->InsideOut.end(), prop) != this->InsideOut.end();
+}

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkOITFrameSignature.h"
+
+#include "vtkOITFrame.h"
+#include "vtkOITMeshShapes.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkTexture.h"
+
+#include <cstring>
+
+namespace
+{
+/// Nothing but modification times of the actor's parts decides how it looks.
+bool IsKnownProperty(vtkProperty* property)
+{
+  return !property || property->GetNumberOfTextures() == 0;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkOITFrameSignature::vtkOITFrameSignature(const vtkOITFrame& frame)
+{
+  vtkRenderer* renderer = frame.GetState()->GetRenderer();
+  this->Known = !frame.Window->GetStereoRender() && !renderer->GetUseShadows() &&
+    !renderer->GetUseImageBasedLighting() && frame.Target.Samples == 0;
+  this->AddView(frame);
+  this->AddLights(frame);
+  this->AddProps(frame);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITFrameSignature::AddDoubles(const double* values, int count)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &values[i], sizeof(bits));
+    this->Add(bits);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOITFrameSignature::AddView(const vtkOITFrame& frame)
+{
+  vtkRenderer* renderer = frame.GetState()->GetRenderer();
+  vtkCamera* camera = renderer->GetActiveCamera();
+  this->Add(frame.Window);
+  this->Add(renderer);
+  this->AddDoubles(camera->GetModelViewTransformMatrix()->GetData(), 16);
+  this->AddDoubles(
+    camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)->GetData(),
+    16);
+  this->Add(camera->GetParallelProjection());
+  this->AddDoubles(frame.Window->GetTileViewport(), 4);
+  for (const vtkOITRectangle& r : { frame.Viewport, frame.Rectangle })
+  {
+    for (const int number : { r.X, r.Y, r.Width, r.Height })
+    {
+      this->Add(static_cast<std::uint64_t>(number));
+    }
+  }
+  this->Add(frame.Target.Framebuffer);
+  this->Add(frame.Target.DrawBuffer);
+  this->Add(frame.Target.DepthBits);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITFrameSignature::AddLights(const vtkOITFrame& frame)
+{
+  vtkRenderer* renderer = frame.GetState()->GetRenderer();
+  this->Add(renderer->GetTwoSidedLighting());
+  this->AddDoubles(renderer->GetAmbient(), 3);
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator it;
+  lights->InitTraversal(it);
+  while (vtkLight* light = lights->GetNextLight(it))
+  {
+    this->Add(light);
+    // The renderer moves headlights with the camera; the camera is known already.
+    this->Add(light->LightTypeIsHeadlight() ? 0 : light->GetMTime());
+    this->Add(light->GetSwitch());
+    this->AddDoubles(light->GetDiffuseColor(), 3);
+    this->AddDoubles(light->GetSpecularColor(), 3);
+    const double intensity = light->GetIntensity();
+    this->AddDoubles(&intensity, 1);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOITFrameSignature::AddProps(const vtkOITFrame& frame)
+{
+  double factor = 0.0;
+  double units = 0.0;
+  vtkMapper::GetResolveCoincidentTopologyPolygonOffsetParameters(factor, units);
+  this->AddDoubles(&factor, 1);
+  this->AddDoubles(&units, 1);
+  this->Add(vtkMapper::GetResolveCoincidentTopology());
+  for (vtkProp* prop : frame.GetProps())
+  {
+    vtkActor* actor = vtkOITFindPlainActor(prop);
+    if (!actor || actor->GetMapper()->HasObserver(vtkCommand::UpdateShaderEvent) ||
+      actor->HasObserver(vtkCommand::UpdateShaderEvent) ||
+      !IsKnownProperty(actor->GetProperty()) || !IsKnownProperty(actor->GetBackfaceProperty()))
+    {
+      this->Known = false;
+      return;
+    }
+    this->Add(prop);
+    this->Add(actor->GetRedrawMTime());
+    this->AddDoubles(actor->GetMatrix()->GetData(), 16);
+    if (vtkPlaneCollection* planes = actor->GetMapper()->GetClippingPlanes())
+    {
+      for (int i = 0; i < planes->GetNumberOfItems(); ++i)
+      {
+        this->Add(planes->GetItem(i)->GetMTime());
+      }
+    }
+    if (vtkTexture* texture = actor->GetTexture())
+    {
+      texture->Update();
+      this->Add(texture->GetMTime());
+      this->Add(texture->GetInput() ? texture->GetInput()->GetMTime() : 0);
+    }
+  }
+}

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkOITFrameSignature_h
+#define vtkOITFrameSignature_h
+
+#include <cstdint>
+#include <vector>
+
+class vtkOITFrame;
+
+/**
+ * Everything that the translucent layer of a frame is made from, as numbers, but for the depth of
+ * the opaque geometry (vtkOITDepthCheck): camera, viewport, lights, and of each prop the time of
+ * its last modification, that of its mapper, data, lookup table, textures and clipping planes
+ * included. Frames with equal signatures have equal layers.
+ */
+class vtkOITFrameSignature
+{
+public:
+  vtkOITFrameSignature() = default;
+  explicit vtkOITFrameSignature(const vtkOITFrame& frame);
+
+  /// False where a change could go unseen: props with shaders or uniforms of their own, mappers
+  /// other than VTK's for polygons, textures of properties, stereo, shadows, image-based lighting.
+  bool IsKnown() const { return this->Known; }
+
+  bool operator==(const vtkOITFrameSignature& other) const
+  {
+    return this->Known && other.Known && this->Numbers == other.Numbers;
+  }
+
+private:
+  void Add(std::uint64_t number) { this->Numbers.push_back(number); }
+  void Add(const void* address) { this->Add(reinterpret_cast<std::uintptr_t>(address)); }
+  void AddDoubles(const double* values, int count);
+  void AddView(const vtkOITFrame& frame);
+  void AddLights(const vtkOITFrame& frame);
+  void AddProps(const vtkOITFrame& frame);
+
+  std::vector<std::uint64_t> Numbers;
+  bool Known = false;
+};
+
+#endif

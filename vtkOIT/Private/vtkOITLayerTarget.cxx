@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkOITLayerTarget.h"
+
+#include "vtkOITOutput.h"
+#include "vtkOITShaderText.h"
+#include "vtkOITSharedDepth.h"
+
+#include "vtkOITAutoPassCompositeFS.h"
+#include "vtkOITFullScreenVS.h"
+#include "vtkOITOutputFS.h"
+
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+
+namespace
+{
+// Mappers count their units up from 0 and GL has at least 16.
+constexpr int Unit = 15;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITLayerTarget::Begin(vtkOITFrame& frame, const vtkOITRectangle& rectangle)
+{
+  vtkOpenGLState* state = frame.GLState;
+  const vtkOITRectangle storage = frame.FindStorage(rectangle);
+  this->Layer.Reserve(frame.Window, storage.Width, storage.Height, 1, GL_RGBA32F);
+  if (!vtkOITBindWithSharedDepth(
+        state, this->Framebuffer.Make(frame.Window), this->Layer.GetLayer(0)))
+  {
+    return false;
+  }
+  this->Rectangle = rectangle;
+  this->TargetBefore = frame.Target;
+  frame.Target = vtkOITTarget::Query();
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(rectangle.X, rectangle.Y, rectangle.Width, rectangle.Height);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  const float nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+  glClearBufferfv(GL_COLOR, 0, nothing);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITLayerTarget::End(vtkOITFrame& frame)
+{
+  frame.Target = this->TargetBefore;
+  frame.GLState->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame.Target.Framebuffer);
+}
+
+//------------------------------------------------------------------------------
+std::int64_t vtkOITLayerTarget::GetBytes(
+  const vtkOITFrame& frame, const vtkOITRectangle& rectangle)
+{
+  return frame.FindStorage(rectangle).GetArea() * vtkOITTextureArray::GetBytesPerTexel(GL_RGBA32F);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITLayerTarget::Release()
+{
+  this->Layer.Release();
+  this->Framebuffer.Release();
+  this->CompositeStage.Release();
+}
+
+//------------------------------------------------------------------------------
+void vtkOITLayerTarget::Composite(const vtkOITFrame& frame)
+{
+  const bool byFetch = vtkOITWritesByFetch(frame);
+  if (byFetch != this->ByFetch)
+  {
+    this->CompositeStage.Release();
+    this->ByFetch = byFetch;
+  }
+  vtkOpenGLState* state = frame.GLState;
+  frame.DrawToFirstBufferOnly();
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(
+    this->Rectangle.X, this->Rectangle.Y, this->Rectangle.Width, this->Rectangle.Height);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  vtkOITSetOutputBlending(state, byFetch);
+  this->CompositeStage.Render(
+    frame.Window, vtkOITFullScreenVS,
+    [byFetch]
+    {
+      std::string text = vtkOITAutoPassCompositeFS;
+      vtkOITReplace(
+        text, "//VTK::System::Dec", "//VTK::System::Dec\n" + vtkOITGetOutputHeader(byFetch));
+      vtkOITReplace(text, "//VTK::OIT::Output", vtkOITOutputFS);
+      return text;
+    },
+    [this, state](vtkShaderProgram* program)
+    {
+      this->Layer.Bind(state, Unit);
+      program->SetUniformi("oitLayer", Unit);
+    });
+  vtkOITTextureArray::Unbind(state, Unit);
+}

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkOITMeshShapes.h"
+
+#include "vtkActor.h"
+#include "vtkAlgorithm.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkShaderProperty.h"
+
+#include <cmath>
+#include <iterator>
+#include <string>
+
+namespace
+{
+/// Only the triangles of its mesh are drawn, all of them, at their own depth.
+bool DrawsPlainSurface(vtkActor* actor, vtkPolyData* mesh)
+{
+  vtkProperty* property = actor->GetProperty();
+  return property->GetRepresentation() == VTK_SURFACE && !property->GetEdgeVisibility() &&
+    !property->GetVertexVisibility() && !property->GetBackfaceCulling() &&
+    !property->GetFrontfaceCulling() && mesh->GetNumberOfVerts() == 0 &&
+    mesh->GetNumberOfLines() == 0 && mesh->GetNumberOfStrips() == 0;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkActor* vtkOITFindPlainActor(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+  if (!mapper || std::string(actor->GetClassName()) != "vtkOpenGLActor")
+  {
+    return nullptr;
+  }
+  const std::string name = mapper->GetClassName();
+  vtkShaderProperty* shader = actor->GetShaderProperty();
+  const bool isPlain = (name == "vtkOpenGLPolyDataMapper" || name == "vtkDataSetMapper") &&
+    !shader->HasVertexShaderCode() && !shader->HasFragmentShaderCode() &&
+    !shader->HasGeometryShaderCode() && shader->GetNumberOfShaderReplacements() == 0;
+  return isPlain ? actor : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkOITMeshShape vtkOITMeshShapes::Find(vtkProp* prop)
+{
+  vtkActor* actor = vtkOITFindPlainActor(prop);
+  if (!actor || actor->GetMapper()->GetNumberOfInputConnections(0) == 0)
+  {
+    return vtkOITMeshShape::Unknown;
+  }
+  actor->GetMapper()->GetInputAlgorithm()->Update();
+  auto* mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+  if (!mesh || mesh->GetNumberOfPolys() > LargestMesh || !DrawsPlainSurface(actor, mesh))
+  {
+    return vtkOITMeshShape::Unknown;
+  }
+  const double determinant = actor->GetMatrix()->Determinant();
+  if (!(std::abs(determinant) > 0.0))
+  {
+    return vtkOITMeshShape::Unknown;
+  }
+  Entry& entry = this->Entries[mesh];
+  entry.IsUsed = true;
+  if (entry.Time != mesh->GetMTime())
+  {
+    entry.Time = mesh->GetMTime();
+    entry.Shape = vtkOITFindMeshShape(mesh);
+  }
+  if (determinant < 0.0 && entry.Shape == vtkOITMeshShape::ClosedConvex)
+  {
+    return vtkOITMeshShape::ClosedConvexInside;
+  }
+  if (determinant < 0.0 && entry.Shape == vtkOITMeshShape::ClosedConvexInside)
+  {
+    return vtkOITMeshShape::ClosedConvex;
+  }
+  return entry.Shape;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITMeshShapes::Prune()
+{
+  for (auto it = this->Entries.begin(); it != this->Entries.end();)
+  {
+    it = it->second.IsUsed ? std::next(it) : this->Entries.erase(it);
+  }
+  for (auto& entry : this->Entries)
+  {
+    entry.second.IsUsed = false;
+  }
+}

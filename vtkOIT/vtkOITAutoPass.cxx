@@ -1,0 +1,373 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkOITAutoPass.h"
+
+#include "Private/vtkOITBlendPlan.h"
+#include "Private/vtkOITCapabilities.h"
+#include "Private/vtkOITDepthCheck.h"
+#include "Private/vtkOITFrame.h"
+#include "Private/vtkOITFrameSignature.h"
+#include "Private/vtkOITLayerTarget.h"
+#include "Private/vtkOITMeshShapes.h"
+#include "Private/vtkOITOutput.h"
+#include "Private/vtkOITSavedState.h"
+#include "Private/vtkOITScreenRectangle.h"
+#include "Private/vtkOITShaderText.h"
+#include "Private/vtkOITSorterChoice.h"
+
+#include "vtkOITAutoPassBlendFS.h"
+#include "vtkOITFragmentFS.h"
+#include "vtkOITOutputFS.h"
+#include "vtkOITPeelingPass.h"
+
+#include "vtkActor.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLState.h"
+#include "vtkProperty.h"
+#include "vtkTimeStamp.h"
+
+#include <algorithm>
+#include <memory>
+
+vtkStandardNewMacro(vtkOITAutoPass);
+
+namespace
+{
+constexpr vtkTypeInt64 LargestDefault = INT64_C(1) << 30; // 1 GiB
+
+/// Nothing of it is seen wherever it is.
+bool HasNoOpacity(vtkProp* prop)
+{
+  vtkActor* actor = vtkOITFindPlainActor(prop);
+  return actor && actor->GetProperty()->GetOpacity() <= 0.0 &&
+    (!actor->GetBackfaceProperty() || actor->GetBackfaceProperty()->GetOpacity() <= 0.0);
+}
+
+/// What a frame said about itself, for frames that show its layer again.
+struct Statistics
+{
+  vtkTypeInt64 NumberOfFragments = 0;
+  int MaximumDepthComplexity = 0;
+  bool Exact = true;
+  double ErrorBound = 0.0;
+  std::string Algorithm;
+};
+}
+
+//------------------------------------------------------------------------------
+class vtkOITAutoPass::Internals
+{
+public:
+  void AddToSummary(const std::string& what)
+  {
+    this->Summary += (this->Summary.empty() ? "" : "; ") + what;
+  }
+
+  vtkOITMeshShapes Shapes;
+  vtkOITLayerTarget Layer;
+  vtkOITDepthCheck DepthCheck;
+  vtkOITSorterChoice Sorters;
+  vtkOITFrameSignature Signature; // of the last frame
+  bool HasLayer = false;          // the layer of a frame with that signature
+  Statistics LayerStatistics;
+  std::vector<vtkOITScreenExtent> Extents; // of the frame's props
+
+  // While props are blended:
+  vtkOITFrame* Frame = nullptr;
+  const vtkOITBlendPlan* Plan = nullptr;
+  vtkOITBlendPlan::Faces Side = vtkOITBlendPlan::Faces::All;
+  bool BlendsByFetch = false;
+  vtkTimeStamp ShaderTime;
+
+  std::string Summary;
+  std::string Choice;
+  vtkTypeInt64 Limit = LargestDefault; // that holds for the last frame
+};
+
+//------------------------------------------------------------------------------
+vtkOITAutoPass::vtkOITAutoPass()
+  : Impl(std::make_unique<Internals>())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkOITAutoPass::~vtkOITAutoPass() = default;
+
+//------------------------------------------------------------------------------
+void vtkOITAutoPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SkipInvisibleProps: " << this->SkipInvisibleProps << "\n"
+     << indent << "SkipSorting: " << this->SkipSorting << "\n"
+     << indent << "ReuseFrames: " << this->ReuseFrames << "\n"
+     << indent << "TransmittanceThreshold: " << this->TransmittanceThreshold << "\n"
+     << indent << "BufferLimit: " << this->GetBufferLimit() << "\n"
+     << indent << "Choice: " << this->GetChoice() << "\n"
+     << indent << "SkipSummary: " << this->GetSkipSummary() << "\n";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITAutoPass::GetSkipSummary() const
+{
+  return this->Impl->Summary;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITAutoPass::GetChoice() const
+{
+  return this->Impl->Choice;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkOITAutoPass::GetBufferLimit() const
+{
+  return this->MaximumBufferSize > 0 ? this->MaximumBufferSize : this->Impl->Limit;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITAutoPass::FindMissingCapability(const vtkOITCapabilities& capabilities)
+{
+  return capabilities.HasStorage() ? std::string() : capabilities.GetMissingForPeeling();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITAutoPass::FindMissingInTarget(const vtkOITFrame& frame)
+{
+  return frame.Target.Samples > 0 ? frame.Capabilities->GetMissingForStorage() : std::string();
+}
+
+//------------------------------------------------------------------------------
+void vtkOITAutoPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& impl = *this->Impl;
+  impl.Layer.Release();
+  impl.DepthCheck.Release();
+  impl.Sorters.Release(window);
+  impl.HasLayer = false;
+  impl.Signature = {};
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITAutoPass::RenderTranslucent(vtkOITFrame& frame)
+{
+  Internals& impl = *this->Impl;
+  impl.Summary.clear();
+  impl.Choice.clear();
+  impl.Limit = std::min<vtkTypeInt64>(LargestDefault, frame.Capabilities->Memory / 4);
+  impl.Extents =
+    vtkOITFindScreenExtents(frame.GetState()->GetRenderer(), frame.GetProps(), frame.Viewport);
+  if (this->SkipInvisibleProps)
+  {
+    this->DropInvisibleProps(frame);
+  }
+  if (!frame.GetProps().empty() && !this->ReuseFrame(frame))
+  {
+    const vtkOITFrameSignature signature =
+      this->ReuseFrames ? vtkOITFrameSignature(frame) : vtkOITFrameSignature();
+    const bool isStill = signature == impl.Signature;
+    impl.Signature = signature;
+    impl.HasLayer = false;
+    this->DrawProps(frame, isStill);
+  }
+  this->BufferSizeInBytes = impl.Layer.GetSizeInBytes() + impl.DepthCheck.GetSizeInBytes() +
+    impl.Sorters.GetSizeInBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkOITAutoPass::DropInvisibleProps(vtkOITFrame& frame)
+{
+  Internals& impl = *this->Impl;
+  std::vector<vtkProp*> props;
+  std::vector<vtkOITScreenExtent> extents;
+  for (std::size_t i = 0; i < impl.Extents.size(); ++i)
+  {
+    vtkOITScreenExtent& extent = impl.Extents[i];
+    extent.Rectangle = extent.Rectangle.Intersect(frame.Rectangle);
+    if (!extent.Rectangle.IsEmpty() && !HasNoOpacity(frame.GetProps()[i]))
+    {
+      props.push_back(frame.GetProps()[i]);
+      extents.push_back(extent);
+    }
+  }
+  if (props.size() < impl.Extents.size())
+  {
+    impl.AddToSummary(std::to_string(impl.Extents.size() - props.size()) + " of " +
+      std::to_string(impl.Extents.size()) + " props left out: invisible");
+  }
+  impl.Extents.swap(extents);
+  frame.Rectangle = vtkOITFindScreenRectangle(impl.Extents).Intersect(frame.Rectangle);
+  frame.DrawOnly(std::move(props));
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITAutoPass::ReuseFrame(vtkOITFrame& frame)
+{
+  Internals& impl = *this->Impl;
+  if (!this->ReuseFrames || !impl.HasLayer || !(vtkOITFrameSignature(frame) == impl.Signature) ||
+    !impl.DepthCheck.IsUnchanged(frame))
+  {
+    return false;
+  }
+  impl.Layer.Composite(frame);
+  const Statistics& kept = impl.LayerStatistics;
+  this->NumberOfFragments = kept.NumberOfFragments;
+  this->MaximumDepthComplexity = kept.MaximumDepthComplexity;
+  this->Exact = kept.Exact;
+  this->ErrorBound = kept.ErrorBound;
+  this->SetAlgorithmName(kept.Algorithm.c_str());
+  impl.Choice = "nothing has changed since the last frame";
+  impl.AddToSummary("whole frame reused");
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Into the framebuffer, or all into a layer that is composited: when the layer is to be kept, and
+// when blending several layers in 8 bits would round each. The layer gives the same picture to the
+// last bit in float framebuffers, so it is taken there, too.
+void vtkOITAutoPass::DrawProps(vtkOITFrame& frame, bool keepsLayer)
+{
+  Internals& impl = *this->Impl;
+  std::unique_ptr<vtkOITBlendPlan> plan;
+  if (this->SkipSorting)
+  {
+    plan = std::make_unique<vtkOITBlendPlan>(frame, impl.Extents, impl.Shapes);
+  }
+  const bool needsLayer = plan && plan->GetMaximumLayers() > 1;
+  bool hasLayer = false;
+  if (needsLayer || keepsLayer)
+  {
+    if (keepsLayer)
+    {
+      impl.DepthCheck.Keep(frame);
+    }
+    hasLayer = frame.Target.Samples == 0 &&
+      vtkOITLayerTarget::GetBytes(frame, frame.Rectangle) <= this->GetBufferLimit() / 2 &&
+      impl.Layer.Begin(frame, frame.Rectangle);
+    if (needsLayer && !hasLayer)
+    {
+      plan.reset();
+    }
+  }
+  const vtkOITRectangle whole = frame.Rectangle;
+  if (plan)
+  {
+    if (plan->GetNumberOfBlendedProps() > 0)
+    {
+      impl.AddToSummary(std::to_string(plan->GetNumberOfBlendedProps()) + " of " +
+        std::to_string(frame.GetProps().size()) + " props blended: their order is known");
+      this->BlendProps(frame, *plan);
+    }
+    frame.DrawOnly(plan->GetSortedProps());
+    frame.Rectangle = plan->GetSortedRectangle().Intersect(whole);
+  }
+  if (!frame.GetProps().empty() && !frame.Rectangle.IsEmpty())
+  {
+    this->SortProps(frame);
+  }
+  if (plan && plan->GetNumberOfBlendedProps() > 0)
+  {
+    this->NumberOfFragments = -1;
+    this->MaximumDepthComplexity = -1;
+  }
+  if (hasLayer)
+  {
+    impl.Layer.End(frame);
+    impl.Layer.Composite(frame);
+    impl.HasLayer = keepsLayer;
+    impl.LayerStatistics = { this->NumberOfFragments, this->MaximumDepthComplexity, this->Exact,
+      this->ErrorBound, this->GetAlgorithmName() };
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOITAutoPass::BlendProps(vtkOITFrame& frame, const vtkOITBlendPlan& plan)
+{
+  Internals& impl = *this->Impl;
+  vtkOpenGLState* state = frame.GLState;
+  const vtkOITSavedState saved(state, false);
+  const bool byFetch = vtkOITWritesByFetch(frame);
+  if (byFetch != impl.BlendsByFetch || impl.ShaderTime.GetMTime() == 0)
+  {
+    impl.BlendsByFetch = byFetch;
+    impl.ShaderTime.Modified();
+  }
+  const vtkOITRectangle r = plan.GetBlendRectangle().Intersect(frame.Rectangle);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(r.X, r.Y, r.Width, r.Height);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  frame.DrawToFirstBufferOnly();
+  vtkOITSetOutputBlending(state, byFetch);
+  impl.Frame = &frame;
+  impl.Plan = &plan;
+  for (const vtkOITBlendPlan::Step& step : plan.GetSteps())
+  {
+    impl.Side = step.Side;
+    frame.DrawOnly(step.Props);
+    this->RenderGeometry(frame);
+  }
+  impl.Plan = nullptr;
+  impl.Frame = nullptr;
+  impl.Choice = "the order of all props is known";
+  this->SetAlgorithmName("ordered blending");
+}
+
+//------------------------------------------------------------------------------
+void vtkOITAutoPass::SortProps(vtkOITFrame& frame)
+{
+  Internals& impl = *this->Impl;
+  const vtkTypeInt64 limit = this->GetBufferLimit() - impl.Layer.GetSizeInBytes() -
+    impl.DepthCheck.GetSizeInBytes();
+  vtkOITPass& pass = impl.Sorters.Choose(frame, limit,
+    [&frame](vtkOITPass& candidate) { return FindMissing(candidate, frame); });
+  if (auto* peeling = vtkOITPeelingPass::SafeDownCast(&pass))
+  {
+    peeling->SetTransmittanceThreshold(this->TransmittanceThreshold);
+    peeling->SetMaximumNumberOfPeels(this->MaximumNumberOfPeels);
+    peeling->SetOcclusionRatio(this->OcclusionRatio);
+  }
+  this->RenderBy(pass, frame);
+  impl.Sorters.Note(pass);
+  impl.Choice = impl.Sorters.GetReason();
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITAutoPass::PostReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+{
+  std::string stage = std::string(vtkOITFragmentFS) + vtkOITAutoPassBlendFS;
+  vtkOITReplace(stage, "//VTK::OIT::Output", vtkOITOutputFS);
+  const bool writesDepth = vtkOITWritesDepth(fragmentShader);
+  return vtkOITWrapFragmentShader(fragmentShader,
+    vtkOITGetOutputHeader(this->Impl->BlendsByFetch) +
+      (writesDepth ? "#define OIT_WRITES_DEPTH\n" : ""),
+    stage);
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITAutoPass::SetShaderParameters(
+  vtkShaderProgram*, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  const Internals& impl = *this->Impl;
+  if (!impl.Frame)
+  {
+    return true;
+  }
+  vtkOpenGLState* state = impl.Frame->GLState;
+  // An actor may have been told to write depth; translucent ones must not.
+  state->vtkglDepthMask(GL_FALSE);
+  if (impl.Side != vtkOITBlendPlan::Faces::All)
+  {
+    const bool cullsFront =
+      (impl.Side == vtkOITBlendPlan::Faces::Far) != impl.Plan->IsInsideOut(prop);
+    state->vtkglEnable(GL_CULL_FACE);
+    state->vtkglCullFace(cullsFront ? GL_FRONT : GL_BACK);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkOITAutoPass::GetShaderStageMTime()
+{
+  return this->Impl->ShaderTime.GetMTime();
+}

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkOITAutoPass
+ * @brief   exact transparency by the cheapest method for a scene, without what it does not need
+ *
+ * What most applications want. One frame:
+ *
+ * 1. Props that leave no trace are left out: empty, outside of the view, of opacity 0
+ *    (SkipInvisibleProps).
+ * 2. When nothing has changed since the last frame, its layer of all translucent props is
+ *    composited again (ReuseFrames). Changes are seen in the camera, the viewport, the lights, the
+ *    modification times of the props and all that they are made from, and in the depth of the opaque
+ *    geometry, which is compared pixel by pixel. The layer is kept from the second frame without a
+ *    change on, so frames of a moving camera cost nothing more.
+ * 3. Props that need no sorting are blended (SkipSorting): islands of the screen in which all props
+ *    are proven to be flat and convex, or closed and convex, and to have an order by their bounds.
+ *    They are drawn back to front, of closed ones the far faces first: into the framebuffer where a
+ *    pixel has one layer, otherwise into a float32 layer.
+ * 4. All others are sorted by the A-buffer. Where that cannot run: by multi-layer peeling, then by
+ *    dual depth peeling. Multi-layer peeling also takes the place of an A-buffer that would need
+ *    more bands (geometry passes) than it, by the counts of the last frame.
+ *
+ * GetAlgorithmName() names the method that drew the frame, GetSkipSummary() what was skipped, and
+ * why.
+ *
+ * Geometry passes: 0 when a frame is reused; 1 for blending, 2 or more with closed props; 1 for the
+ * A-buffer; see the others for theirs. Memory per pixel: 16 bytes where layers are blended or frames
+ * reused, and 8 for reuse; otherwise that of the method. It stays within MaximumBufferSize. Needs
+ * what one of the methods needs.
+ *
+ * Exact: as the method. Blending adds nothing to it: orders are proven up to the resolution of
+ * float32 coordinates. NumberOfFragments and MaximumDepthComplexity are negative when props were
+ * blended: nobody counts.
+ *
+ * @sa vtkOITABufferPass vtkOITMultiLayerPeelingPass vtkOITDualDepthPeelingPass
+ */
+
+#ifndef vtkOITAutoPass_h
+#define vtkOITAutoPass_h
+
+#include "vtkOITModule.h" // for the export macro
+#include "vtkOITPass.h"
+
+#include <memory> // for the private parts
+
+class vtkOITBlendPlan;
+
+class VTKOIT_EXPORT vtkOITAutoPass : public vtkOITPass
+{
+public:
+  static vtkOITAutoPass* New();
+  vtkTypeMacro(vtkOITAutoPass, vtkOITPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  /// Leave out props that leave no trace. Lossless. Default on.
+  ///@{
+  vtkSetMacro(SkipInvisibleProps, bool);
+  vtkGetMacro(SkipInvisibleProps, bool);
+  vtkBooleanMacro(SkipInvisibleProps, bool);
+  ///@}
+
+  /// Blend props whose order is proven. Lossless up to the rounding of stored fragments, which is
+  /// saved. Default on.
+  ///@{
+  vtkSetMacro(SkipSorting, bool);
+  vtkGetMacro(SkipSorting, bool);
+  vtkBooleanMacro(SkipSorting, bool);
+  ///@}
+
+  /// Composite the last frame's layer again when nothing has changed. Lossless up to 2^-23.
+  /// Default on.
+  ///@{
+  vtkSetMacro(ReuseFrames, bool);
+  vtkGetMacro(ReuseFrames, bool);
+  vtkBooleanMacro(ReuseFrames, bool);
+  ///@}
+
+  /// As vtkOITPeelingPass::SetTransmittanceThreshold(), for frames that are peeled: layers behind a
+  /// transmittance of at most this are skipped, [0, 1], default 1/512, 0 for none.
+  ///@{
+  vtkSetClampMacro(TransmittanceThreshold, double, 0.0, 1.0);
+  vtkGetMacro(TransmittanceThreshold, double);
+  ///@}
+
+  /// What the last frame did without, and why; one line, empty for nothing.
+  std::string GetSkipSummary() const;
+
+  /// Why the last frame was drawn by the method of GetAlgorithmName(); one line.
+  std::string GetChoice() const;
+
+  /// The limit in bytes that holds: MaximumBufferSize, or when that is 0 (default) a quarter of the
+  /// memory of the context of the last frame, at most 1 GiB.
+  vtkTypeInt64 GetBufferLimit() const;
+
+  /// Called by mappers: the change of their shaders while props are blended.
+  ///@{
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
+  vtkMTimeType GetShaderStageMTime() override;
+  ///@}
+
+protected:
+  vtkOITAutoPass();
+  ~vtkOITAutoPass() override;
+
+  void RenderTranslucent(vtkOITFrame& frame) override;
+  const char* GetOwnAlgorithmName() override { return "automatic choice"; }
+  std::string FindMissingCapability(const vtkOITCapabilities& capabilities) override;
+  std::string FindMissingInTarget(const vtkOITFrame& frame) override;
+
+  bool SkipInvisibleProps = true;
+  bool SkipSorting = true;
+  bool ReuseFrames = true;
+  double TransmittanceThreshold = 1.0 / 512.0;
+
+private:
+  vtkOITAutoPass(const vtkOITAutoPass&) = delete;
+  void operator=(const vtkOITAutoPass&) = delete;
+
+  void DropInvisibleProps(vtkOITFrame& frame);
+  bool ReuseFrame(vtkOITFrame& frame);
+  void DrawProps(vtkOITFrame& frame, bool keepsLayer);
+  void BlendProps(vtkOITFrame& frame, const vtkOITBlendPlan& plan);
+  void SortProps(vtkOITFrame& frame);
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+#endif
