@@ -38,7 +38,7 @@ for i, color in enumerate([(0.8, 0.2, 0.2), (0.2, 0.7, 0.3), (0.2, 0.3, 0.9)]):
     renderer.AddActor(actor)
 
 # The only line that an existing script needs.
-vtkoit.install(renderer, method="abuffer")
+vtkoit.install(renderer)
 
 window = vtkRenderWindow()
 window.SetSize(400, 400)

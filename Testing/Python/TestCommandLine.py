@@ -32,7 +32,8 @@ class TestInfo(unittest.TestCase):
         for text in (r"(?m)^VTK +9\.\d+\.\d+", r"(?m)^window +vtk\w+RenderWindow \(headless, \w+\)",
                      r"(?m)^OpenGL +\d\.\d", r"(?m)^renderer +\S", r"(?m)^vendor +\S",
                      r"(yes|no) +GL_EXT_shader_framebuffer_fetch",
-                     r"abuffer +vtkOITABufferPass +runs"):
+                     r"abuffer +vtkOITABufferPass +runs",
+                     r"auto takes A-buffer: its fragments fit into memory, at most [\d.]+ MiB"):
             self.assertRegex(done.stdout, text)
 
     def test_as_a_module(self):

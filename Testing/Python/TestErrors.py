@@ -113,7 +113,7 @@ class TestErrors(Support.FolderTest):
         self.render_fails("cut.vtk", text="cut.vtk: cannot be read: Error reading")
 
     def test_method(self):
-        self.render_fails("a.vtp", "--method", "magic", text="magic.*the methods are: abuffer")
+        self.render_fails("a.vtp", "--method", "magic", text="magic.*the methods are: auto abuffer")
         self.render_fails("a.vtp", "--set", "Magic=3", text="no property 'Magic'; it has: Fragment")
         self.render_fails("a.vtp", "--set", "Magic", text="NAME=VALUE")
         self.render_fails("a.vtp", "--set", "FragmentPrecision=low", text="one of float, half")

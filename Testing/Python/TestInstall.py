@@ -27,6 +27,13 @@ class TestInstall(unittest.TestCase):
         Support.add_quad(renderer, 0.0, (0, 1, 0), 0.5)
         instance = vtkoit.install(renderer)
         self.assertIs(vtkoit.installed(renderer), instance)
+        self.assertEqual(instance.GetClassName(), "vtkOITAutoPass")
+        pixel = Support.draw(renderer, (100, 100))[50, 50]
+        numpy.testing.assert_allclose(pixel, [127.5, 63.75, 0, 255], atol=1.0)
+        self.assertTrue(instance.GetExact())
+        self.assertEqual(instance.GetSkipSummary(), "2 of 2 props blended: their order is known")
+
+        instance = vtkoit.install(renderer, "abuffer")
         self.assertEqual(instance.GetClassName(), "vtkOITABufferPass")
         pixel = Support.draw(renderer, (100, 100))[50, 50]
         numpy.testing.assert_allclose(pixel, [127.5, 63.75, 0, 255], atol=1.0)
@@ -102,7 +109,7 @@ class TestMethods(unittest.TestCase):
         self.assertEqual([info.name for info in infos], vtkoit.methods())
         for info in infos:
             self.assertNotIn("\n", info.missing)
-        self.assertEqual(infos[0].class_name, "vtkOITABufferPass")
+        self.assertEqual(infos[0].class_name, "vtkOITAutoPass")
         self.assertEqual(infos[0].missing, "")
 
     def test_unknown(self):

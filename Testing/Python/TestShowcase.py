@@ -19,7 +19,7 @@ class TestShowcase(Support.FolderTest):
             self.assertEqual(Support.read_picture(self.path(name)).shape, (100, 120, 3))
         self.assertEqual(sorted(os.listdir(self.path("new/folder"))),
                          sorted(os.path.basename(name) for name in names))
-        ours = re.findall(r"vtkOIT abuffer .*png +(\d+) +([\d.]+) +([\d.]+) +([\d.]+)", done.stdout)
+        ours = re.findall(r"vtkOIT auto .*png +(\d+) +([\d.]+) +([\d.]+) +([\d.]+)", done.stdout)
         theirs = re.findall(r"VTK's default .*png +(\d+) +([\d.]+) +([\d.]+) +([\d.]+)", done.stdout)
         self.assertEqual((len(ours), len(theirs)), (3, 3))
         for row, their_row in zip(ours, theirs):

@@ -117,9 +117,9 @@ def _add_render(render):
     option("--parallel", action="store_true", help="parallel instead of perspective projection")
     option("--size", default="1000x800", metavar="WxH", help="pixels (default: %(default)s)")
     option("--samples", type=int, metavar="N",
-           help="multisampling for smooth edges, 0 for none (default: 4 for abuffer, otherwise 0: "
-                "the other methods cannot)")
-    option("--method", default="abuffer", metavar="M",
+           help="multisampling for smooth edges, 0 for none (default: 4 for auto and abuffer, "
+                "otherwise 0: the other methods cannot)")
+    option("--method", default="auto", metavar="M",
            help="see the command info (default: %(default)s)")
     option("--set", action="append", metavar="NAME=VALUE",
            help="a property of the method, such as FragmentPrecision=float; may be repeated")

@@ -8,7 +8,7 @@ from .passes import create
 from .vtkOIT import vtkOITRendererHook
 
 
-def install(renderer, method="abuffer", **properties):
+def install(renderer, method="auto", **properties):
     """Draws the translucent props of a renderer by a method of vtkOIT, from the next frame on.
 
     renderer: any vtkRenderer (vtkOpenGLRenderer), application subclasses included; it keeps its

@@ -5,6 +5,7 @@
 from vtkmodules.vtkCommonCore import vtkVersion
 
 from .errors import Error, capture
+from .hook import install
 from .passes import method_info
 from .version import VERSION
 from .windows import backend, context_of, headless, make_window
@@ -35,6 +36,7 @@ def run():
             window = make_window(None, (8, 8))
             context = context_of(window)
             infos = method_info(window)
+            choice = _choice(window)
             window.Finalize()
     if reason:
         raise Error(reason)
@@ -59,3 +61,28 @@ def run():
     for info in infos:
         print("  %-*s  %s  %s" % (width, info.name, info.class_name,
                                   "does not run: " + info.missing if info.missing else "runs"))
+    print(choice)
+
+
+def _choice(window):
+    """One line, str: what the method auto takes in this window for props that need sorting."""
+    from vtkmodules.vtkFiltersSources import vtkSphereSource
+    from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+
+    renderer = vtkRenderer()
+    for center in (0.0, 0.5):  # they overlap
+        source = vtkSphereSource()
+        source.SetCenter(center, 0.0, 0.0)
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputConnection(source.GetOutputPort())
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        actor.GetProperty().SetOpacity(0.5)
+        renderer.AddActor(actor)
+    taken = install(renderer)
+    window.AddRenderer(renderer)
+    window.Render()
+    line = "auto takes %s: %s, at most %.4g MiB" % (
+        taken.GetAlgorithmName(), taken.GetChoice(), taken.GetBufferLimit() / 2.0 ** 20)
+    window.RemoveRenderer(renderer)
+    return line

@@ -18,7 +18,7 @@ def methods():
     return [vtkOITPassFactory.GetMethodName(i) for i in range(number)]
 
 
-def create(method="abuffer", **values):
+def create(method="auto", **values):
     """A new pass (vtkOITPass) for a method's name, with the given properties.
 
     It goes where VTK's translucent passes go: vtkRenderStepsPass.SetTranslucentPass(), or a
@@ -60,7 +60,7 @@ def one_line_or_empty(text):
     return " ".join(text.split())
 
 
-def properties(method="abuffer"):
+def properties(method="auto"):
     """The properties of a method with their default values, dict of str to value.
 
     A property with named values maps to the name of its default, e.g. "half".

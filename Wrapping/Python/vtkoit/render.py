@@ -13,7 +13,7 @@ from .surfaces import Request, make_surfaces
 from .windows import headless, make_window
 
 LARGEST_SIDE = 16384  # pixels
-MULTISAMPLED = {"abuffer"}  # methods that keep the samples of a pixel apart
+MULTISAMPLED = {"auto", "abuffer"}  # methods that keep the samples of a pixel apart
 
 
 def parse_size(text):

@@ -32,7 +32,7 @@ def _peeling(renderer):
 METHODS = [
     ("vtk-default", "VTK's default", _default),
     ("vtk-peeling", "VTK's dual depth peeling", _peeling),
-    ("vtkoit", "vtkOIT abuffer", install),
+    ("vtkoit", "vtkOIT auto", install),
 ]
 
 
