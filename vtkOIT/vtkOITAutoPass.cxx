@@ -170,8 +170,8 @@ void vtkOITAutoPass::RenderTranslucent(vtkOITFrame& frame)
     impl.HasLayer = false;
     this->DrawProps(frame, isStill);
   }
-  this->BufferSizeInBytes = impl.Layer.GetSizeInBytes() + impl.DepthCheck.GetSizeInBytes() +
-    impl.Sorters.GetSizeInBytes();
+  this->BufferSizeInBytes =
+    impl.Layer.GetSizeInBytes() + impl.DepthCheck.GetSizeInBytes() + impl.Sorters.GetSizeInBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -316,10 +316,10 @@ void vtkOITAutoPass::BlendProps(vtkOITFrame& frame, const vtkOITBlendPlan& plan)
 void vtkOITAutoPass::SortProps(vtkOITFrame& frame)
 {
   Internals& impl = *this->Impl;
-  const vtkTypeInt64 limit = this->GetBufferLimit() - impl.Layer.GetSizeInBytes() -
-    impl.DepthCheck.GetSizeInBytes();
-  vtkOITPass& pass = impl.Sorters.Choose(frame, limit,
-    [&frame](vtkOITPass& candidate) { return FindMissing(candidate, frame); });
+  const vtkTypeInt64 limit =
+    this->GetBufferLimit() - impl.Layer.GetSizeInBytes() - impl.DepthCheck.GetSizeInBytes();
+  vtkOITPass& pass = impl.Sorters.Choose(
+    frame, limit, [&frame](vtkOITPass& candidate) { return FindMissing(candidate, frame); });
   if (auto* peeling = vtkOITPeelingPass::SafeDownCast(&pass))
   {
     peeling->SetTransmittanceThreshold(this->TransmittanceThreshold);

@@ -10,9 +10,9 @@
  *    (SkipInvisibleProps).
  * 2. When nothing has changed since the last frame, its layer of all translucent props is
  *    composited again (ReuseFrames). Changes are seen in the camera, the viewport, the lights, the
- *    modification times of the props and all that they are made from, and in the depth of the opaque
- *    geometry, which is compared pixel by pixel. The layer is kept from the second frame without a
- *    change on, so frames of a moving camera cost nothing more.
+ *    modification times of the props and all that they are made from, and in the depth of the
+ * opaque geometry, which is compared pixel by pixel. The layer is kept from the second frame
+ * without a change on, so frames of a moving camera cost nothing more.
  * 3. Props that need no sorting are blended (SkipSorting): islands of the screen in which all props
  *    are proven to be flat and convex, or closed and convex, and to have an order by their bounds.
  *    They are drawn back to front, of closed ones the far faces first: into the framebuffer where a
@@ -25,9 +25,9 @@
  * why.
  *
  * Geometry passes: 0 when a frame is reused; 1 for blending, 2 or more with closed props; 1 for the
- * A-buffer; see the others for theirs. Memory per pixel: 16 bytes where layers are blended or frames
- * reused, and 8 for reuse; otherwise that of the method. It stays within MaximumBufferSize. Needs
- * what one of the methods needs.
+ * A-buffer; see the others for theirs. Memory per pixel: 16 bytes where layers are blended or
+ * frames reused, and 8 for reuse; otherwise that of the method. It stays within MaximumBufferSize.
+ * Needs what one of the methods needs.
  *
  * Exact: as the method. Blending adds nothing to it: orders are proven up to the resolution of
  * float32 coordinates. NumberOfFragments and MaximumDepthComplexity are negative when props were

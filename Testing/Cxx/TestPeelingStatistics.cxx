@@ -55,8 +55,8 @@ void CheckCounts(TestReport& report, TestRig& rig, const Setup& setup, int layer
     const int passes = rig.Pass->GetNumberOfGeometryPasses();
     const int needed = GetLargestNumberOfPasses(setup, rig.Pass, layers);
     const int largest = frame == 0 ? std::max(needed, before) : needed;
-    const bool isFixed = frame > 0 &&
-      (setup.Method == "peel" || (setup.Method == "multilayer" && setup.HasFetch));
+    const bool isFixed =
+      frame > 0 && (setup.Method == "peel" || (setup.Method == "multilayer" && setup.HasFetch));
     report.Check(isFixed ? passes == largest : passes <= largest,
       what + ", frame " + std::to_string(frame) + ": " + std::to_string(passes) +
         " geometry passes, expected " + std::to_string(largest));

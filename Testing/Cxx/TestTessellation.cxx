@@ -74,7 +74,8 @@ int TestTessellation(int argc, char* argv[])
       {
         // It blends the quad and sorts the sheet, which is too large to be proven flat.
         report.Compare("the single quad", rig.Render(), tessellated,
-          ReferenceCompositor::RoundingBound({ layer }, rig.GetBackground(), setup.FragmentStorage));
+          ReferenceCompositor::RoundingBound(
+            { layer }, rig.GetBackground(), setup.FragmentStorage));
         return;
       }
       report.CompareBits("the single quad", rig.Render(), tessellated);

@@ -160,8 +160,8 @@ std::vector<Items> FindIslands(const std::vector<Item>& items)
       byRoot[findRoot(i)].push_back(&items[i]);
     }
   }
-  byRoot.erase(std::remove_if(byRoot.begin(), byRoot.end(),
-                 [](const Items& island) { return island.empty(); }),
+  byRoot.erase(std::remove_if(
+                 byRoot.begin(), byRoot.end(), [](const Items& island) { return island.empty(); }),
     byRoot.end());
   return byRoot;
 }

@@ -113,8 +113,8 @@ void vtkOITFrameSignature::AddProps(const vtkOITFrame& frame)
   {
     vtkActor* actor = vtkOITFindPlainActor(prop);
     if (!actor || actor->GetMapper()->HasObserver(vtkCommand::UpdateShaderEvent) ||
-      actor->HasObserver(vtkCommand::UpdateShaderEvent) ||
-      !IsKnownProperty(actor->GetProperty()) || !IsKnownProperty(actor->GetBackfaceProperty()))
+      actor->HasObserver(vtkCommand::UpdateShaderEvent) || !IsKnownProperty(actor->GetProperty()) ||
+      !IsKnownProperty(actor->GetBackfaceProperty()))
     {
       this->Known = false;
       return;

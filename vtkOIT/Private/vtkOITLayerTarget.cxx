@@ -49,8 +49,7 @@ void vtkOITLayerTarget::End(vtkOITFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-std::int64_t vtkOITLayerTarget::GetBytes(
-  const vtkOITFrame& frame, const vtkOITRectangle& rectangle)
+std::int64_t vtkOITLayerTarget::GetBytes(const vtkOITFrame& frame, const vtkOITRectangle& rectangle)
 {
   return frame.FindStorage(rectangle).GetArea() * vtkOITTextureArray::GetBytesPerTexel(GL_RGBA32F);
 }

@@ -72,8 +72,7 @@ Mesh::Mesh(vtkPolyData* polydata)
     if (added.second)
     {
       this->Points.emplace_back(point[0], point[1], point[2]);
-      largest =
-        std::max({ largest, std::abs(point[0]), std::abs(point[1]), std::abs(point[2]) });
+      largest = std::max({ largest, std::abs(point[0]), std::abs(point[1]), std::abs(point[2]) });
     }
     return added.first->second;
   };

@@ -8,9 +8,9 @@ class vtkPolyData;
 /// What is proven of a mesh, and so of the fragments that it can have at a pixel.
 enum class vtkOITMeshShape
 {
-  Unknown,          // nothing
-  FlatConvex,       // one flat patch with a convex outline: one fragment
-  ClosedConvex,     // the surface of a convex body: one front face before one back face
+  Unknown,           // nothing
+  FlatConvex,        // one flat patch with a convex outline: one fragment
+  ClosedConvex,      // the surface of a convex body: one front face before one back face
   ClosedConvexInside // the same, with faces that point inwards
 };
 

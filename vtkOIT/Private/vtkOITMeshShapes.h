@@ -17,8 +17,8 @@ class vtkOITMeshShapes
 {
 public:
   /// As the camera sees the triangles of a prop: ...Inside for a transformation that mirrors.
-  /// Unknown for props that draw anything but the surface of their mesh, and for meshes of more than
-  /// LargestMesh triangles.
+  /// Unknown for props that draw anything but the surface of their mesh, and for meshes of more
+  /// than LargestMesh triangles.
   vtkOITMeshShape Find(vtkProp* prop);
 
   /// Drops what no prop has asked for since the last call.

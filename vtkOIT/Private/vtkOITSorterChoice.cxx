@@ -43,8 +43,8 @@ bool vtkOITSorterChoice::IsPeelingCheaper(const vtkOITFrame& frame, std::int64_t
   const std::int64_t area = frame.Rectangle.GetArea();
   const std::int64_t forFragments = std::max<std::int64_t>(limit - 4 * area, 1);
   const std::int64_t bands = DivideUp(this->Fragments * BytesPerFragment, forFragments);
-  const std::int64_t peels = DivideUp(this->DepthComplexity, LayersPerPeel) *
-    DivideUp(area * BytesPerPeeledPixel, limit);
+  const std::int64_t peels =
+    DivideUp(this->DepthComplexity, LayersPerPeel) * DivideUp(area * BytesPerPeeledPixel, limit);
   return this->Current == MultiLayer ? 3 * peels < 4 * bands : 4 * peels < 3 * bands;
 }
 
@@ -53,7 +53,8 @@ vtkOITPass& vtkOITSorterChoice::Choose(const vtkOITFrame& frame, std::int64_t li
   const std::function<std::string(vtkOITPass&)>& findMissing)
 {
   const int before = this->Current;
-  const std::string missing = findMissing(this->Use(ABuffer, limit, "its fragments fit into memory"));
+  const std::string missing =
+    findMissing(this->Use(ABuffer, limit, "its fragments fit into memory"));
   this->Current = before;
   if (missing.empty() && !this->IsPeelingCheaper(frame, limit))
   {

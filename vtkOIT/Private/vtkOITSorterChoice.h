@@ -18,9 +18,9 @@ class vtkWindow;
  *
  * Measured on llvmpipe and on every scene of the benchmark, that is the A-buffer as long as its
  * fragments fit into the memory. Beyond that it draws the scene once for each of its bands, and
- * multi-layer peeling once for each 8 layers of each of its own, so the smaller number decides. What
- * is needed is known from the last frame; a choice is changed only when the other one is a quarter
- * cheaper, so that frames do not alternate.
+ * multi-layer peeling once for each 8 layers of each of its own, so the smaller number decides.
+ * What is needed is known from the last frame; a choice is changed only when the other one is a
+ * quarter cheaper, so that frames do not alternate.
  */
 class vtkOITSorterChoice
 {
