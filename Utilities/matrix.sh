@@ -2,8 +2,9 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# matrix.sh RELEASE [COMMAND...]: runs the command, default `Utilities/test.sh ci`, on a copy of
-# this tree inside a bare Debian RELEASE (bookworm, trixie, testing, ...).
+# matrix.sh [--copy FILE TO] RELEASE [COMMAND...]: runs the command, default `Utilities/test.sh ci`,
+# on a copy of this tree inside a bare Debian RELEASE (bookworm, trixie, testing, ...). --copy then
+# copies a FILE of that tree out, to the file TO.
 #
 # The root file system of the release is made once, by mmdebstrap, and kept with its packages and
 # its build folder in ${XDG_CACHE_HOME:-$HOME/.cache}/vtkoit (VTKOIT_ROOTFS_CACHE names another
@@ -14,7 +15,15 @@ set -eu
 # shellcheck source=common.sh
 . "$(dirname -- "$0")/common.sh"
 
-[ $# -gt 0 ] || fail "usage: matrix.sh RELEASE [COMMAND...], such as: matrix.sh testing" 2
+wanted=
+if [ "${1:-}" = --copy ] && [ $# -gt 3 ]; then
+  wanted=$2
+  target=$3
+  shift 3
+fi
+case ${1:--} in
+  -*) fail "usage: matrix.sh [--copy FILE TO] RELEASE [COMMAND...], such as: matrix.sh testing" 2 ;;
+esac
 release=$1
 cache=${VTKOIT_ROOTFS_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/vtkoit}
 
@@ -26,7 +35,8 @@ unavailable()
 if [ "$(id -u)" != 0 ]; then
   command -v sudo >/dev/null 2>&1 || unavailable "chroot needs root, and there is no sudo"
   [ -t 0 ] || sudo -n true 2>/dev/null || unavailable "chroot needs root, and sudo a password"
-  exec sudo -- env VTKOIT_ROOTFS_CACHE="$cache" "$0" "$@"
+  exec sudo -- env VTKOIT_ROOTFS_CACHE="$cache" "$0" \
+    ${wanted:+--copy "$wanted" "$target"} "$@"
 fi
 shift
 [ $# -gt 0 ] || set -- Utilities/test.sh ci
@@ -91,3 +101,8 @@ inside "$rootfs" Utilities/packages.sh ||
 
 say "in Debian $release: $*"
 inside "$rootfs" "$@"
+
+if [ -n "$wanted" ]; then
+  cp "$rootfs/vtkoit/$wanted" "$target"
+  [ -z "${SUDO_UID:-}" ] || chown "$SUDO_UID:${SUDO_GID:-}" "$target"
+fi

@@ -46,6 +46,7 @@ std::string SetUp(std::string& error)
 
 #elif defined(VTKOIT_HAS_RUN_TIME_WINDOWS)
 const char* const WindowVariable = "VTK_DEFAULT_OPENGL_WINDOW";
+const char* const EGLWindow = "vtkEGLRenderWindow";
 
 //------------------------------------------------------------------------------
 bool CanOpen(const char* library, std::string& error)
@@ -76,7 +77,7 @@ std::string SetUp(std::string& error)
   const std::string saved = before ? before : "";
 
   std::string reason;
-  if (CanOpen("libOSMesa.so.8", reason))
+  if (saved != EGLWindow && CanOpen("libOSMesa.so.8", reason))
   {
     if (WindowWorks("vtkOSOpenGLRenderWindow"))
     {
@@ -86,11 +87,11 @@ std::string SetUp(std::string& error)
   }
   if (CanOpen("libEGL.so.1", reason))
   {
-    if (WindowWorks("vtkEGLRenderWindow"))
+    if (WindowWorks(EGLWindow))
     {
       return "EGL";
     }
-    reason += ", VTK's window of EGL gives no OpenGL 3.2";
+    reason += std::string(reason.empty() ? "" : ", ") + "VTK's window of EGL gives no OpenGL 3.2";
   }
   if (before)
   {
@@ -100,8 +101,9 @@ std::string SetUp(std::string& error)
   {
     unsetenv(WindowVariable);
   }
-  error = "neither OSMesa nor EGL renders here (" + reason +
-    "); install Mesa's EGL (Debian and Ubuntu: libegl1 libgl1-mesa-dri)";
+  error = saved == EGLWindow ? "EGL, the only window asked for, does not render here ("
+                             : "neither OSMesa nor EGL renders here (";
+  error += reason + "); install Mesa's EGL (Debian and Ubuntu: libegl1 libgl1-mesa-dri)";
   return {};
 }
 
