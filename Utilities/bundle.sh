@@ -17,8 +17,8 @@ name=vtkOIT-benchmark-linux-$(uname -m)
 largest=60000000 # bytes
 build=$root/build-bundle
 
-# Belongs to the graphics driver: another version than the driver's draws nothing. X11's client
-# libraries are no part of a driver, and VTK links them; a machine without a display has none.
+# Belongs to the graphics driver: another version than the driver's draws nothing. VTK opens libEGL
+# at run time, and X11 too, but not for windows of EGL: neither is linked, nor packed.
 of_driver()
 {
   case $1 in
@@ -73,6 +73,17 @@ collect()
   done <"$1"
 }
 
+# The rest of the C library. VTK needs no libpthread, libdl or librt any more, but drivers do, and
+# those of an older system do not work with our libc.
+collect_libc()
+{
+  dpkg-query -L "$(dpkg-query -S "$(readlink -f "$(cat "$tree/lib/loader-path")")" | sed 's/: .*//')" |
+    grep -E '/lib[A-Za-z0-9_]*\.so\.[0-9]+$' >"$build/libc"
+  while read -r path; do
+    [ -f "$tree/lib/base/$(basename -- "$path")" ] || add "$path" lib/base
+  done <"$build/libc"
+}
+
 pack()
 {
   install_packages xz-utils
@@ -85,6 +96,7 @@ pack()
   cp "$root/LICENSE" "$tree/licenses/vtkOIT"
   LD_LIBRARY_PATH=$build/lib ldd "$tree/bin/vtkOITBenchmark" >"$build/libraries"
   collect "$build/libraries"
+  collect_libc
   printf '%s %s\n' "$(uname -s)" "$(uname -m)" >"$tree/lib/machine"
   getconf GNU_LIBC_VERSION | sed 's/^glibc 2\.//' >"$tree/lib/libc-minor"
   strip --strip-unneeded "$tree"/bin/* "$tree"/lib/vtk/libvtkOIT*
@@ -110,6 +122,7 @@ check_libraries()
   done <"$1/libraries"
   grep -q "=> $1/lib/vtk/libvtkRenderingOpenGL2" "$1/libraries" ||
     fail "run.sh --libraries does not name VTK: $(head -n 1 "$1/libraries")"
+  [ -f "$1/lib/base/libpthread.so.0" ] || fail "the archive lacks libpthread.so.0"
 }
 
 # Draws with what this machine has, from another folder and with an empty environment.
