@@ -8,6 +8,7 @@
 #include "Private/vtkOITCapabilities.h"
 #include "Private/vtkOITCompatibility.h"
 #include "Private/vtkOITDepthCopy.h"
+#include "Private/vtkOITFragmentReadback.h"
 #include "Private/vtkOITFragmentStore.h"
 #include "Private/vtkOITFrame.h"
 #include "Private/vtkOITOutput.h"
@@ -61,6 +62,7 @@ public:
   bool HasDepthCopy = false;
   bool HeadInTarget = false; // list heads by framebuffer fetch instead of image atomics
   bool HeadInTargetWorks = true;
+  bool IsWhole = false; // the last frame was drawn in one band, which the store still holds
 };
 
 //------------------------------------------------------------------------------
@@ -165,6 +167,7 @@ void vtkOITABufferPass::RenderTranslucent(vtkOITFrame& frame)
     impl.Bands.Forget();
   }
   this->BufferSizeInBytes = impl.Store.GetSizeInBytes() + impl.DepthCopy.GetSizeInBytes();
+  impl.IsWhole = impl.Band == frame.Rectangle;
   impl.Frame = nullptr;
 }
 
@@ -281,6 +284,22 @@ void vtkOITABufferPass::AddStatistics(vtkTypeInt64 fragments, vtkTypeInt64 depth
     this->Exact = false;
     this->ErrorBound = 1.0;
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITABufferPass::GetFragments(vtkFloatArray* fragments)
+{
+  const Internals& impl = *this->Impl;
+  const bool isMine = std::string(this->GetAlgorithmName()) == this->GetOwnAlgorithmName();
+  const vtkOITFragmentReadback readback(impl.Store, impl.Shaders);
+  const std::string reason = isMine && this->NumberOfFragments > 0
+    ? readback.Read(impl.IsWhole, this->NumberOfFragments, fragments)
+    : readback.Refuse(fragments);
+  if (!reason.empty())
+  {
+    vtkErrorMacro(<< reason);
+  }
+  return reason.empty();
 }
 
 //------------------------------------------------------------------------------

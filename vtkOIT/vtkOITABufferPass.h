@@ -50,6 +50,8 @@
 
 #include <memory> // for the private parts
 
+class vtkFloatArray;
+
 class VTKOIT_EXPORT vtkOITABufferPass : public vtkOITPass
 {
 public:
@@ -57,6 +59,19 @@ public:
   vtkTypeMacro(vtkOITABufferPass, vtkOITPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  /// Reads back the fragments that the last frame captured, to check a picture or to analyse a
+  /// scene: one tuple of 7 floats each, pixel x and y (whole numbers, from the lower left corner of
+  /// the framebuffer), window depth in [0, 1], red, green, blue (not multiplied by opacity),
+  /// opacity in (0, 1]. The fragments of a pixel follow each other, in no particular order. Colours
+  /// are as they were stored: see FragmentPrecision. There are GetNumberOfFragments() tuples; fewer
+  /// where shaders that write gl_FragDepth draw behind opaque geometry.
+  ///
+  /// False, with an error and an empty array, when the last frame captured nothing, was drawn in
+  /// bands (MaximumBufferSize), into a multisampled framebuffer or by another method, or when its
+  /// context is gone. Waits for the frame; copies 28 bytes a fragment, and as much again while it
+  /// works. Not for every frame.
+  bool GetFragments(vtkFloatArray* fragments);
 
   /// Called by mappers: the change of their shaders, and its uniforms.
   ///@{

@@ -43,3 +43,9 @@ void vtkOITContextObjects::Release()
   this->Forget();
   this->Marker = nullptr;
 }
+
+//------------------------------------------------------------------------------
+vtkOpenGLRenderWindow* vtkOITContextObjects::GetWindow() const
+{
+  return this->Marker && this->Marker->GetHandle() != 0 ? this->Marker->GetContext() : nullptr;
+}

@@ -28,6 +28,9 @@ public:
   /// it in its destructor.
   void Release();
 
+  /// The window whose context has the objects; nullptr when there are none, or no longer.
+  vtkOpenGLRenderWindow* GetWindow() const;
+
 protected:
   /// To be called before objects are made or used: releases those of another window, and forgets
   /// those that vanished with their context. True when nothing had to be released or forgotten.

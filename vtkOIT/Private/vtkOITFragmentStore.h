@@ -90,6 +90,23 @@ public:
   bool BindHeadFramebuffer(vtkOpenGLState* state);
 
   const vtkOITRectangle& GetRectangle() const { return this->Rectangle; }
+
+  /// The GL objects of the lists, for reading them back: the texture of heads (GL_R32UI, of the
+  /// given width and height), the framebuffer's pixel of its first texel, and the pool.
+  struct Lists
+  {
+    GLuint Heads;
+    int Width;
+    int Height;
+    int OriginX;
+    int OriginY;
+    GLuint Pool;
+  };
+  Lists GetLists() const
+  {
+    return { this->Heads, this->Width, this->Height, this->WholeFramebuffer ? 0 : this->Rectangle.X,
+      this->WholeFramebuffer ? 0 : this->Rectangle.Y, this->Pool };
+  }
   const vtkOITTileGrid& GetTileGrid() const { return this->Grid; }
 
   /// The depth complexity that is expected of the current rectangle's tiles.
