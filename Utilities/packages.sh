@@ -16,6 +16,7 @@ packages='
   ninja-build
   libvtk9-dev
   python3-vtk9
+  python3-matplotlib
   python3-numpy
   libglm-dev
   libosmesa6?

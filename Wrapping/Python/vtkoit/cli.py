@@ -16,7 +16,9 @@ _MAIN = """examples:
   {prog} info
   {prog} render skull.stl -o skull.png
   {prog} render head.mhd --isosurface 500 1150 --opacity 0.3 0.9 -o head.png
-  {prog} showcase -o pictures"""
+  {prog} compare head.mhd --isosurface 500 1150 --opacity 0.3 0.9 -o comparison
+  {prog} showcase -o pictures
+  {prog} bench --quick -o numbers"""
 
 _RENDER = """Volumes and grids give isosurfaces (--isosurface) or label surfaces (--labels), surfaces are drawn
 as they are. Without either option a volume of few whole numbers is drawn by labels, any other by two
@@ -43,6 +45,20 @@ rasteriser may or may not cover, are left out of the error.
 
 example:
   {prog} -o pictures"""
+
+_BENCH = """Renders scenes by VTK's methods and ours, in turns and in one process, and tells what a frame costs and
+how far its colours and its alpha are from the right ones, which are computed in double precision from
+all fragments. DIR receives bench.csv, bench.json and pictures: time against error, cost growing with
+layers, triangles and pixels, and for each scene image and difference of each method.
+
+A run that was interrupted goes on when it is started again with the same DIR; what was measured with
+another build, size or number of frames is measured again.
+
+examples:
+  {prog} --quick -o numbers
+  {prog} --scenes spheres isosurfaces layers --methods vtk-dual abuffer multilayer:NumberOfLayersPerPass=16
+  {prog} --scenes skull.stl layers-* --size 1024x768 -o numbers
+  {prog} --list"""
 
 
 class _Parser(argparse.ArgumentParser):
@@ -75,7 +91,30 @@ def parser(prog="vtkoit"):
                           help="folder of the pictures, made if missing (default: %(default)s)")
     showcase.add_argument("--size", default="500x500", metavar="WxH",
                           help="size of each picture in pixels (default: %(default)s)")
+    _add_bench(add("bench", "measure time and error of all methods, VTK's too", _BENCH))
     return top
+
+
+def _add_bench(bench):
+    option = bench.add_argument
+    option("-o", "--output", default="bench", metavar="DIR",
+           help="folder of the results, made if missing (default: %(default)s)")
+    option("--scenes", nargs="+", metavar="S",
+           help="names, patterns such as layers-*, families such as layers, or files (default: all)")
+    option("--methods", nargs="+", metavar="M",
+           help="names, with properties as METHOD:NAME=VALUE,NAME=VALUE (default: all); blend is "
+                "always measured, ratios refer to it")
+    option("--quick", action="store_true", help="few scenes and methods, small: about a minute")
+    option("--size", metavar="WxH", help="pixels (default: 800x800, with --quick 300x300)")
+    option("--frames", type=int, metavar="N",
+           help="timed frames of a method (default: 15, with --quick 5)")
+    option("--budget", type=float, metavar="S",
+           help="seconds of timed frames after which a method has fewer (default: 4, with --quick "
+                "1)")
+    option("--no-plots", action="store_true", help="tables only, without Matplotlib")
+    option("--document", metavar="FOLDER",
+           help="write the page accuracy-and-speed.md and its pictures there, too")
+    option("--list", action="store_true", help="print all scenes and methods, measure nothing")
 
 
 def _add_render(render):
@@ -217,6 +256,10 @@ def _run(options):
             from . import render
 
             render.run(options, progress)
+        elif options.command == "bench":
+            from .bench import run
+
+            run.run(options, progress)
         else:
             from . import showcase
 

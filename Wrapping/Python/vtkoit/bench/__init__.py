@@ -1,0 +1,19 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The accuracy and speed laboratory: what a frame costs and how wrong it is, for any method and scene,
+next to VTK's own methods.
+
+scene.py          what a scene is made of
+families.py       procedural scenes that change one thing at a time
+sciviz.py         scenes as they are drawn in practice, data.py those of data files
+catalogue.py      all scenes by name
+contenders.py     all methods by name, each in a window of its own
+measure.py        interleaved frames, medians and spread
+truth.py          the right picture, in double precision from captured fragments
+accuracy.py       errors of a picture against the truth
+store.py          results on disk, so that an interrupted run can go on
+tables.py         text, CSV and JSON; machine.py their header
+plots.py          diagrams and contact sheets, by matplotlib
+document.py       the page of the documentation
+run.py            the command bench
+"""
