@@ -109,7 +109,7 @@ def _add_bench(bench):
     option("--frames", type=int, metavar="N",
            help="timed frames of a method (default: 15, with --quick 5)")
     option("--budget", type=float, metavar="S",
-           help="seconds of timed frames after which a method has fewer (default: 4, with --quick "
+           help="seconds of timed frames after which a method has fewer (default: 3, with --quick "
                 "1)")
     option("--no-plots", action="store_true", help="tables only, without Matplotlib")
     option("--document", metavar="FOLDER",

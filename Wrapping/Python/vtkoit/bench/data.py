@@ -19,6 +19,12 @@ class _Silent:
     def watch(self, algorithm, text):
         pass
 
+    def begin(self, text):
+        pass
+
+    def show(self, text, fraction=None):
+        pass
+
 
 def folder():
     """The folder of data sets, str: $VTKOIT_DATA, or shared/data beside a folder above this one or

@@ -65,7 +65,8 @@ def look_at_spheres(renderer):
 
 def _layers(count):
     # A quarter of the window, so that the deepest stacks end in bearable time.
-    return Scene("", "%d layers over a quarter of the window, opacity 0.05" % count,
+    return Scene("", "%d layer%s over a quarter of the window, opacity 0.05" % (
+        count, "s"[:count != 1]),
                  lambda: stack(int(count), 0.5, 0.5), lambda r: facing(r, 1.0))
 
 
@@ -108,7 +109,7 @@ def _props(count):
         groups = [balls[i::count] for i in range(count)]
         return [Part(append(group), rainbow(i / count), 0.3) for i, group in enumerate(groups)]
 
-    return Scene("", "2000 small spheres in %d props" % count, make, look_at_spheres)
+    return Scene("", "2000 small spheres in %d prop%s" % (count, "s"[:count != 1]), make, look_at_spheres)
 
 
 def _coincident(fraction):

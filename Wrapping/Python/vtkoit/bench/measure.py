@@ -23,7 +23,7 @@ from .contenders import Contender, why_not
 
 Settings = collections.namedtuple("Settings", "frames budget turn longest")
 Settings.__doc__ = """frames: int, timed frames of a method. budget: float, seconds of timed frames after which
-a method stops, with 3 frames at least, or 1 when a single frame takes as long. turn: float, degrees of the
+a method stops, with 3 frames at least, or 1 when a single frame takes longer. turn: float, degrees of the
 camera a frame. longest: float, seconds of a frame after which a method is left out of deeper scenes of a
 family."""
 
@@ -83,7 +83,7 @@ def _take_turns(name, running, settings, progress):
             progress.show("%s: frame %d of %d" % (name, number + 1, rounds), number / rounds)
             for entrant in running[::-1] if number % 2 else running:
                 entrant.take_turn(number)
-        for number in range(max(2, rounds // 3)):
+        for number in range(max(1, rounds // 3)):
             progress.show("%s: still frame" % name)
             for entrant in running:
                 entrant.stand_still(number)
@@ -110,17 +110,16 @@ class _Entrant:
             self.reason = captured.errors(1)
 
     def _look(self):
-        if self.first < self.settings.budget:
+        if self.first < 0.5 * self.settings.budget:
             self.first = self.contender.render()[0]
         self.color = grab(self.contender.window)[..., :3]
         self.statistics = self.contender.statistics()
-        if self.first < 2.0 * self.settings.budget:
+        if self.first < 1.5 * self.settings.budget:
             background = self.contender.renderer.GetBackgroundAlpha()
             self.contender.renderer.SetBackgroundAlpha(0.0)
             self.contender.render()
             self.alpha = grab(self.contender.window)[..., 3]
             self.contender.renderer.SetBackgroundAlpha(background)
-            self.contender.render()
 
     def warm_up(self):
         """Turns to and fro, so that what a turning camera needs is there before times are taken."""
@@ -129,12 +128,12 @@ class _Entrant:
                 self.contender.turn(turns * self.settings.turn)
                 self.contender.render()
 
-    def _may(self, times, share):
-        least = 3 if self.first < self.settings.budget / 3.0 else 1
-        return len(times) < least or sum(t for t, _ in times) < share * self.settings.budget
+    def _may(self, times):
+        least = 3 if self.first < self.settings.budget else 1
+        return len(times) < least or sum(t for t, _ in times) < self.settings.budget
 
     def take_turn(self, number):
-        if len(self.times) == number and self._may(self.times, 1.0):
+        if len(self.times) == number and self._may(self.times):
             self.contender.turn(self.settings.turn)
             self.times.append(self.contender.render())
             told = self.contender.statistics()
@@ -142,7 +141,8 @@ class _Entrant:
                 self.most_bytes = max(self.most_bytes, told.bytes)
 
     def stand_still(self, number):
-        if len(self.still) == number and self._may(self.still, 0.3):
+        if len(self.still) == number and self.first < self.settings.budget and (
+                not self.still or sum(t for t, _ in self.still) < 0.25 * self.settings.budget):
             self.still.append(self.contender.render())
 
     def result(self, running):

@@ -15,7 +15,7 @@ from .store import Store, slug
 # What an interrupted run may not mix with; changes when results mean something else.
 FORMAT = 1
 
-FULL = measure.Settings(frames=15, budget=4.0, turn=0.5, longest=12.0)
+FULL = measure.Settings(frames=15, budget=3.0, turn=0.5, longest=10.0)
 QUICK = measure.Settings(frames=5, budget=1.0, turn=0.5, longest=4.0)
 SIZE, QUICK_SIZE = "800x800", "300x300"
 

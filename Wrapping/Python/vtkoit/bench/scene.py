@@ -77,8 +77,24 @@ def _mapper(part):
     else:
         mapper = vtkPolyDataMapper()
     mapper.SetInputData(part.data)
-    mapper.ScalarVisibilityOff()
+    # Impostors of VTK 9.1 crash without a colour of each point.
+    mapper.SetScalarVisibility(part.kind in ("spheres", "sticks"))
     return mapper
+
+
+def impostors(points, color):
+    """A vtkPolyData of points for the kinds "spheres" and "sticks". points: array n x 3. color:
+    (r, g, b) in [0, 1]."""
+    data = mesh(points, numpy.zeros((0, 3), int))
+    number = data.GetNumberOfPoints()
+    cells = vtkCellArray()
+    cells.SetData(_ids(numpy.arange(number + 1)), _ids(numpy.arange(number)))
+    data.SetVerts(cells)
+    bytes_ = numpy.rint(255.0 * numpy.array(color)).astype(numpy.uint8)
+    colors = numpy_to_vtk(numpy.tile(bytes_, (number, 1)), deep=True)
+    colors.SetName("colors")
+    data.GetPointData().SetScalars(colors)
+    return data
 
 
 def triangles_of(parts):

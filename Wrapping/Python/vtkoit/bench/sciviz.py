@@ -9,7 +9,7 @@ import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk
 
 from .families import look_at_spheres, spheres, stack
-from .scene import Part, Scene, append, facing, mesh, rainbow, sphere
+from .scene import Part, Scene, append, facing, impostors, mesh, rainbow, sphere
 
 
 def scenes():
@@ -177,29 +177,19 @@ def _molecule():
     result = []
     for element, (color, radius) in enumerate(
             (((0.35, 0.35, 0.4), 0.17), ((0.85, 0.2, 0.2), 0.15), ((0.25, 0.4, 0.9), 0.155))):
-        points = mesh(atoms[element::3], numpy.zeros((0, 3), int))
-        result.append(Part(_with_vertices(points), color, 0.35, "spheres", radius))
+        result.append(Part(impostors(atoms[element::3], color), color, 0.35, "spheres", radius))
     middle = 0.5 * (atoms[1:] + atoms[:-1])
     direction = atoms[1:] - atoms[:-1]
     length = numpy.linalg.norm(direction, axis=1)
-    bonds = _with_vertices(mesh(middle, numpy.zeros((0, 3), int)))
+    gray = (0.7, 0.7, 0.7)
+    bonds = impostors(middle, gray)
     for name, values in (("direction", direction / length[:, None]),
                          ("radius", numpy.c_[length, 0.03 + 0 * length, 0.03 + 0 * length])):
         array = numpy_to_vtk(values.astype(numpy.float32), deep=True)
         array.SetName(name)
         bonds.GetPointData().AddArray(array)
-    result.append(Part(bonds, (0.7, 0.7, 0.7), 0.6, "sticks"))
+    result.append(Part(bonds, gray, 0.6, "sticks"))
     return result
-
-
-def _with_vertices(data):
-    from vtkmodules.vtkCommonDataModel import vtkCellArray
-
-    cells = vtkCellArray()
-    for i in range(data.GetNumberOfPoints()):
-        cells.InsertNextCell(1, [i])
-    data.SetVerts(cells)
-    return data
 
 
 def _grass():

@@ -22,7 +22,7 @@ deepest one. cross_check: float, the largest difference to `peel` in steps of 8 
 # More fragments are not copied: 100 bytes each while they are sorted.
 LARGEST = 24000000
 # Fragments that `peel` may draw, over all its passes, for the cross-check.
-LARGEST_CROSS_CHECK = 600000000
+LARGEST_CROSS_CHECK = 200000000
 
 METHOD = "abuffer:FragmentPrecision=float"
 CROSS_CHECK = "peel:TransmittanceThreshold=0"
