@@ -62,7 +62,10 @@ void oitNote(uint count, bool isLeft)
   value = max(value, odd.y == 0 ? value + dy : value - dy);
   // At the lower and left edge of the rectangle, the even neighbour may be outside.
   bvec2 isEdge = equal(ivec2(gl_FragCoord.xy), oitCorner);
-  if (value > 0.0 && (odd.x == 0 || isEdge.x) && (odd.y == 0 || isEdge.y))
+  // On the diagonal, the tile's two triangles see only their own pixels of the four.
+  ivec2 place = ivec2(gl_FragCoord.xy) % OIT_TILE_SIZE;
+  bool isBesideDiagonal = place.x != place.y && place.x / 2 == place.y / 2;
+  if (value > 0.0 && (isBesideDiagonal || ((odd.x == 0 || isEdge.x) && (odd.y == 0 || isEdge.y))))
   {
     atomicMax(oitTiles[oitFindTile()].x, value < 64.0 ? uint(value) : OIT_TRY_AGAIN);
   }

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// One pixel of a tile has more fragments than all others, at each place that it can have in a tile:
+// it must be noticed, and drawn, in every frame that starts from what the last one had.
+
+#include "TestRandom.h"
+#include "TestRig.h"
+
+#include "vtkCellArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+using namespace vtkOITTest;
+
+namespace
+{
+constexpr int TileSize = 16; // of the pass, in either direction
+
+/// A quad over one pixel in each tile of the window: in tile (i, j) over its pixel (i, j).
+void AddLonePixels(TestRig& rig, const Layer& layer)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> quads;
+  for (int tile = 0; tile < TileSize * TileSize; ++tile)
+  {
+    const int x = (tile % TileSize) * (TileSize + 1);
+    const int y = (tile / TileSize) * (TileSize + 1);
+    quads->InsertNextCell(4);
+    for (const auto& corner : { glm::ivec2(0, 0), { 1, 0 }, { 1, 1 }, { 0, 1 } })
+    {
+      const glm::dvec3 p = rig.ToWorld(x + corner.x, y + corner.y, layer.Depth);
+      quads->InsertCellPoint(points->InsertNextPoint(p.x, p.y, p.z));
+    }
+  }
+  vtkNew<vtkPolyData> polydata;
+  polydata->SetPoints(points);
+  polydata->SetPolys(quads);
+  rig.AddPolyData(polydata, layer.Color);
+}
+}
+
+int TestABufferLonePixels(int argc, char* argv[])
+{
+  return RunTest(argc, argv, Setups::Storages,
+    [](TestReport& report, const Setup& setup)
+    {
+      TestRig rig(setup, TileSize * TileSize, TileSize * TileSize);
+      const std::vector<Layer> layers = Random(5).Layers(12);
+      const std::vector<Layer> common(layers.begin(), layers.begin() + 2);
+      rig.AddStack(common);
+      std::for_each(layers.begin() + 2, layers.end(),
+        [&rig](const Layer& layer) { AddLonePixels(rig, layer); });
+      const glm::dvec4 background = rig.GetBackground();
+      const glm::dvec4 elsewhere = ReferenceCompositor::Composite(common, background);
+      const glm::dvec4 lone = ReferenceCompositor::Composite(layers, background);
+      const Tolerance bound =
+        ReferenceCompositor::RoundingBound(common, background, setup.FragmentStorage) +
+        ReferenceCompositor::RoundingBound(layers, background, setup.FragmentStorage);
+      for (int frame = 1; frame <= 4; ++frame)
+      {
+        report.Compare(
+          "frame " + std::to_string(frame), rig.Render(),
+          [&](int x, int y)
+          {
+            const bool isLone = x % TileSize == x / TileSize && y % TileSize == y / TileSize;
+            return isLone ? lone : elsewhere;
+          },
+          bound);
+      }
+      report.Check(rig.Pass->GetMaximumDepthComplexity() == 12, "the depth complexity is wrong");
+    });
+}
