@@ -32,6 +32,14 @@ examples:
   {prog} quarter.* --raw 64x64:uint16 --spacing 3.2,3.2,1.5 -o head.png
   {prog} outer.stl inner.stl --color steelblue tomato --opacity 0.3 1 --size 1600x1200 -o parts.png"""
 
+_COMPARE = """Draws the same as the command render by every method, VTK's own too, and tells what a frame costs and
+how far its colours and its alpha are from the right ones, which are computed in double precision from
+all fragments. DIR receives METHOD.png, METHOD-difference.png, compare.csv and compare.json.
+
+examples:
+  {prog} ironProt.vtk --isosurface 40 80 120 --opacity 0.2 -o protein
+  {prog} skull.stl --opacity 0.4 --methods vtk-weighted vtk-dual-4 abuffer --size 1200x900"""
+
 _INFO = """Prints the versions, the class of the render window, the OpenGL context with the extensions that
 matter here, and for each method whether it runs and, if not, what is missing.
 
@@ -85,6 +93,7 @@ def parser(prog="vtkoit"):
                                    epilog=epilog.format(prog="%s %s" % (prog, name)))
 
     _add_render(add("render", "draw data files to a picture", _RENDER))
+    _add_compare(add("compare", "draw data files by every method, and tell the errors", _COMPARE))
     add("info", "tell what this machine renders with", _INFO)
     showcase = add("showcase", "draw scenes with VTK's methods and ours, and compare", _SHOWCASE)
     showcase.add_argument("-o", "--output", default="showcase", metavar="DIR",
@@ -122,6 +131,20 @@ def _add_render(render):
     option("inputs", nargs="+", metavar="INPUT",
            help="a file of any format that VTK reads, told by its extension, or a DICOM folder")
     option("-o", "--output", required=True, metavar="FILE", help="the picture: .png .tif .jpg ...")
+    _add_scene(render, "1000x800")
+    method = render.add_argument_group("method")
+    option = method.add_argument
+    option("--samples", type=int, metavar="N",
+           help="multisampling for smooth edges, 0 for none (default: 4 for auto and abuffer, "
+                "otherwise 0: the other methods cannot)")
+    option("--method", default="auto", metavar="M",
+           help="see the command info (default: %(default)s)")
+    option("--set", action="append", metavar="NAME=VALUE",
+           help="a property of the method, such as FragmentPrecision=float; may be repeated")
+
+
+def _add_scene(render, size):
+    """The options about what is drawn, how it looks, and from where; size: str, the default."""
     what = render.add_argument_group("what is drawn")
     option = what.add_argument
     option("--isosurface", nargs="+", metavar="V", help="isovalues of volumes and grids")
@@ -146,7 +169,7 @@ def _add_render(render):
     option("--range", metavar="LOW,HIGH", help="the values at the colour map's two ends")
     option("--background", default="white", metavar="C",
            help="a colour, or transparent (default: %(default)s)")
-    view = render.add_argument_group("view and method")
+    view = render.add_argument_group("view")
     option = view.add_argument
     option("--camera", default="iso", metavar="WHERE",
            help="x -x y -y z -z iso, AZIMUTH,ELEVATION in degrees, a direction X,Y,Z, or nine "
@@ -154,14 +177,18 @@ def _add_render(render):
     option("--up", default="z", metavar="AXIS", help="axis that points up (default: %(default)s)")
     option("--zoom", default="1", metavar="F", help="above 1 for closer (default: %(default)s)")
     option("--parallel", action="store_true", help="parallel instead of perspective projection")
-    option("--size", default="1000x800", metavar="WxH", help="pixels (default: %(default)s)")
-    option("--samples", type=int, metavar="N",
-           help="multisampling for smooth edges, 0 for none (default: 4 for auto and abuffer, "
-                "otherwise 0: the other methods cannot)")
-    option("--method", default="auto", metavar="M",
-           help="see the command info (default: %(default)s)")
-    option("--set", action="append", metavar="NAME=VALUE",
-           help="a property of the method, such as FragmentPrecision=float; may be repeated")
+    option("--size", default=size, metavar="WxH", help="pixels (default: %(default)s)")
+
+
+def _add_compare(compare):
+    option = compare.add_argument
+    option("inputs", nargs="+", metavar="INPUT",
+           help="a file of any format that VTK reads, told by its extension, or a DICOM folder")
+    option("-o", "--output", default="comparison", metavar="DIR",
+           help="folder of the pictures and tables, made if missing (default: %(default)s)")
+    option("--methods", nargs="+", metavar="M",
+           help="names, with properties as METHOD:NAME=VALUE,NAME=VALUE (default: all)")
+    _add_scene(compare, "600x480")
 
 
 def _joined(arguments):
@@ -185,7 +212,7 @@ def main(prog="vtkoit", arguments=None):
     except SystemExit as leave:
         return leave.code or 0
     name = "%s %s" % (prog, options.command)
-    if options.command == "render" and arguments is None and hasattr(os, "fork"):
+    if options.command in ("render", "compare") and arguments is None and hasattr(os, "fork"):
         return _isolated(name, options)
     return _guarded(name, options)
 
@@ -256,6 +283,10 @@ def _run(options):
             from . import render
 
             render.run(options, progress)
+        elif options.command == "compare":
+            from . import compare
+
+            compare.run(options, progress)
         elif options.command == "bench":
             from .bench import run
 

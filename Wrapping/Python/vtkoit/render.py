@@ -112,29 +112,20 @@ def draw(renderer, size, samples, translucency):
     return pixels, seconds
 
 
-class _Options:
-    """The options of the command line, checked and turned into what the other modules take."""
+class SceneOptions:
+    """The options of the command line about what is drawn and how it looks, checked and turned into
+    what the other modules take."""
 
     def __init__(self, arguments):
-        if arguments.method not in methods():
-            raise Error("--method %s: unknown; the methods are: %s"
-                        % (arguments.method, " ".join(methods())))
         self.size = parse_size(arguments.size)
         self.camera = camera.parse(arguments.camera)
         self.up = camera.axis(arguments.up)
         self.zoom = parse_numbers("--zoom", [arguments.zoom], 0.01, 100.0)[0]
-        self.properties = parse_properties(arguments.set or [])
         self.raw = parse_raw(arguments.raw) if arguments.raw else None
         self.spacing = self._spacing(arguments.spacing)
         colors.check_colormap(arguments.colormap)
         self.style = self._style(arguments)
-        picture.check_output(arguments.output, self.style.background is None)
         self.request = self._request(arguments)
-        self.samples = arguments.samples
-        if self.samples is None:
-            self.samples = 4 if arguments.method in MULTISAMPLED else 0
-        if not 0 <= self.samples <= 16:
-            raise Error("--samples %d: give 0 (none) to 16" % self.samples)
 
     @staticmethod
     def _spacing(text):
@@ -178,3 +169,20 @@ class _Options:
             isovalues=parse_numbers("--isosurface", arguments.isosurface)
             if arguments.isosurface else None,
             contour=arguments.contour, labels=labels, smoothing=arguments.smooth)
+
+
+class _Options(SceneOptions):
+    """And those about the method and the picture."""
+
+    def __init__(self, arguments):
+        if arguments.method not in methods():
+            raise Error("--method %s: unknown; the methods are: %s"
+                        % (arguments.method, " ".join(methods())))
+        super().__init__(arguments)
+        self.properties = parse_properties(arguments.set or [])
+        picture.check_output(arguments.output, self.style.background is None)
+        self.samples = arguments.samples
+        if self.samples is None:
+            self.samples = 4 if arguments.method in MULTISAMPLED else 0
+        if not 0 <= self.samples <= 16:
+            raise Error("--samples %d: give 0 (none) to 16" % self.samples)

@@ -7,10 +7,12 @@ scene.py          what a scene is made of
 families.py       procedural scenes that change one thing at a time
 sciviz.py         scenes as they are drawn in practice, data.py those of data files
 catalogue.py      all scenes by name
+stage.py          a scene as every method gets it
 contenders.py     all methods by name, each in a window of its own
 measure.py        interleaved frames, medians and spread
 truth.py          the right picture, in double precision from captured fragments
 accuracy.py       errors of a picture against the truth
+record.py         what is kept of a method in a scene
 store.py          results on disk, so that an interrupted run can go on
 tables.py         text, CSV and JSON; machine.py their header
 plots.py          diagrams and contact sheets, by matplotlib

@@ -8,7 +8,6 @@ import time
 from ..errors import Error, capture
 from ..passes import create, methods
 from ..windows import make_window
-from .scene import actor_of, append, fill
 
 # Peels that never end a frame before its last layer.
 ALL_PEELS = 100000
@@ -96,36 +95,20 @@ def make_pass(name):
     return result, None
 
 
-def why_not(name, parts):
-    """Why a contender cannot draw a scene, str; empty when it can."""
-    if parse(name)[0] == "vtk-sort" and any(
-            part.kind in ("spheres", "sticks") or part.texture for part in _translucent(parts)):
-        return "sorts polygons of one colour a prop, not textures or impostors"
-    return ""
-
-
-def _translucent(parts):
-    return [part for part in parts if part.opacity < 1.0 or part.texture]
-
-
 class Contender:
     """A method in a window of its own with its own copy of the scene."""
 
-    def __init__(self, name, scene, parts, size):
-        """name: str. scene: Scene, parts: list of Part. size: (width, height), pixels."""
+    def __init__(self, name, renderer, size):
+        """name: str. renderer: a vtkRenderer of its own. size: (width, height), pixels."""
         from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass
 
         self.name = name
+        self.renderer = renderer
         translucent, self.oit = make_pass(name)
-        self.renderer = fill(scene, _sorted_parts(parts)[0] if name == "vtk-sort" else parts)
-        if name == "vtk-sort":
-            self.renderer.AddActor(_sorted_actor(parts, self.renderer.GetActiveCamera()))
-            scene.place(self.renderer)
         self.steps = vtkRenderStepsPass()
         self.steps.SetTranslucentPass(translucent)
         self.renderer.SetPass(self.steps)
         self.window = make_window(self.renderer, size)
-        self.messages = []
 
     def render(self):
         """Renders a frame; (seconds, seconds of all cores), float, until the frame is done."""
@@ -161,64 +144,3 @@ class Contender:
             self.renderer.SetPass(None)
             self.window.RemoveRenderer(self.renderer)
             self.window.Finalize()
-
-
-def _sorted_parts(parts):
-    """(opaque parts, translucent parts)."""
-    translucent = _translucent(parts)
-    return [part for part in parts if part not in translucent], translucent
-
-
-def _sorted_actor(parts, camera):
-    """One actor of all translucent parts, whose polygons are sorted by depth for each frame."""
-    import numpy
-    from vtkmodules.util.numpy_support import numpy_to_vtk
-    from vtkmodules.vtkCommonDataModel import vtkPolyData
-    from vtkmodules.vtkFiltersHybrid import vtkDepthSortPolyData
-
-    translucent = _sorted_parts(parts)[1]
-    colored = []
-    for part in translucent:
-        data = vtkPolyData()
-        data.SetPoints(part.data.GetPoints())
-        data.SetPolys(part.data.GetPolys())
-        data.SetStrips(part.data.GetStrips())
-        data.GetPointData().SetNormals(part.data.GetPointData().GetNormals())
-        rgba = numpy.rint(255 * numpy.array([*part.color, part.opacity])).astype(numpy.uint8)
-        array = numpy_to_vtk(numpy.tile(rgba, (data.GetNumberOfPoints(), 1)), deep=True)
-        array.SetName("colors")
-        data.GetPointData().SetScalars(array)
-        colored.append(data)
-    sort = vtkDepthSortPolyData()
-    sort.SetInputData(append(colored))
-    sort.SetDirectionToBackToFront()
-    sort.SetDepthSortModeToBoundsCenter()
-    sort.SetCamera(camera)
-    actor = actor_of(translucent[0]._replace(data=append(colored)))
-    actor.GetProperty().SetOpacity(1.0)
-    mapper = actor.GetMapper()
-    mapper.SetInputConnection(sort.GetOutputPort())
-    mapper.ScalarVisibilityOn()
-    mapper.SetColorModeToDirectScalars()
-    actor.ForceTranslucentOn()
-    return actor
-
-
-def opaque_picture(scene, parts, size, background_alpha=1.0):
-    """What is behind the translucent props: array of uint8, height x width x 4, top row first.
-    background_alpha: float, of the background."""
-    from ..picture import grab
-
-    renderer = fill(scene, parts)
-    opaque = _sorted_parts(parts)[0]
-    actors = renderer.GetActors()
-    actors.InitTraversal()
-    for part in parts:
-        actors.GetNextActor().SetVisibility(part in opaque)
-    renderer.SetBackgroundAlpha(background_alpha)
-    window = make_window(renderer, size)
-    window.Render()
-    pixels = grab(window)
-    window.RemoveRenderer(renderer)
-    window.Finalize()
-    return pixels

@@ -19,7 +19,6 @@ import numpy
 from ..errors import capture
 from ..picture import grab
 from . import machine
-from .contenders import Contender, why_not
 
 Settings = collections.namedtuple("Settings", "frames budget turn longest")
 Settings.__doc__ = """frames: int, timed frames of a method. budget: float, seconds of timed frames after which
@@ -51,23 +50,24 @@ def groups(names, pixels, triangles, memory=None):
     return [[REFERENCE] + others[i:i + room] for i in range(0, max(1, len(others)), room)]
 
 
-def measure(scene, parts, names, size, settings, progress):
-    """Yields (name, Measured) for a list of names, of which the first is the reference."""
+def measure(stage, names, settings, progress):
+    """Yields (name, Measured) in a Stage for a list of names, of which the first is the reference."""
+    scene = stage.facts()["scene"]
     contenders = []
     try:
         for name in names:
-            progress.show("%s: %s" % (scene.name, name))
-            reason = why_not(name, parts)
+            progress.show("%s: %s" % (scene, name))
+            reason = stage.why_not(name)
             if reason:
                 yield name, Measured(None, None, None, None, reason)
                 continue
-            contenders.append(_Entrant(name, scene, parts, size, settings))
+            contenders.append(_Entrant(name, stage, settings))
         running = [entrant for entrant in contenders if not entrant.reason]
         with capture():
             for entrant in running:
-                progress.show("%s: %s" % (scene.name, entrant.name))
+                progress.show("%s: %s" % (scene, entrant.name))
                 entrant.warm_up()
-        _take_turns(scene.name, running, settings, progress)
+        _take_turns(scene, running, settings, progress)
         for entrant in contenders:
             yield entrant.name, entrant.result(running)
     finally:
@@ -78,7 +78,7 @@ def measure(scene, parts, names, size, settings, progress):
 
 def _take_turns(name, running, settings, progress):
     rounds = settings.frames
-    with capture() as captured:
+    with capture():
         for number in range(rounds):
             progress.show("%s: frame %d of %d" % (name, number + 1, rounds), number / rounds)
             for entrant in running[::-1] if number % 2 else running:
@@ -87,13 +87,12 @@ def _take_turns(name, running, settings, progress):
             progress.show("%s: still frame" % name)
             for entrant in running:
                 entrant.stand_still(number)
-    del captured
 
 
 class _Entrant:
     """A contender with what was measured of it."""
 
-    def __init__(self, name, scene, parts, size, settings):
+    def __init__(self, name, stage, settings):
         self.name = name
         self.settings = settings
         self.times = []
@@ -101,7 +100,7 @@ class _Entrant:
         self.most_bytes = 0
         self.color = self.alpha = self.statistics = None
         with capture() as captured:
-            self.contender = Contender(name, scene, parts, size)
+            self.contender = stage.contender(name)
             self.first = self.contender.render()[0]
             self.reason = self.contender.missing()
             if not self.reason:

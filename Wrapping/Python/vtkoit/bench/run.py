@@ -8,8 +8,8 @@ import time
 from ..errors import Error
 from ..render import parse_size
 from ..windows import headless
-from . import accuracy, catalogue, contenders, document, machine, measure, plots, tables, truth
-from .scene import triangles_of
+from . import catalogue, contenders, document, machine, measure, plots, record, tables, truth
+from .stage import Stage
 from .store import Store, slug
 
 # What an interrupted run may not mix with; changes when results mean something else.
@@ -126,34 +126,34 @@ class Laboratory:
         pending = [name for name in names if found[name] is None]
         if pending:
             self.progress.begin("%s: making the scene" % scene.name)
-            parts = scene.make()
-            right = self._truth(scene, parts, size)
+            stage = Stage(scene, size)
+            right = self._truth(stage)
             for name in list(pending):
                 reason = self._too_slow(scene, name)
                 if reason:
                     pending.remove(name)
-                    found[name] = self._keep(scene, parts, size, name, right, measure.Measured(
-                        None, None, None, None, reason))
-            for group in measure.groups(pending, size[0] * size[1], triangles_of(parts)):
-                for name, measured in measure.measure(scene, parts, group, size, self.settings,
-                                                      self.progress):
+                    found[name] = self._keep(stage, name, right, record.not_run(reason))
+            triangles = stage.facts()["triangles"]
+            for group in measure.groups(pending, size[0] * size[1], triangles):
+                for name, measured in measure.measure(stage, group, self.settings, self.progress):
                     if found.get(name) is None:
-                        found[name] = self._keep(scene, parts, size, name, right, measured)
+                        found[name] = self._keep(stage, name, right, measured)
         results = [found[name] for name in names]
         tables.relate(results)
         self.results += results
         return results
 
-    def _truth(self, scene, parts, size):
+    def _truth(self, stage):
         """The truth as dict; kept from an earlier run where it can be."""
-        kept = self.store.load_truth(scene.name, size)
+        name = stage.facts()["scene"]
+        kept = self.store.load_truth(name, stage.size)
         if kept is None:
-            self.progress.show("%s: truth" % scene.name)
-            right = truth.find(scene, parts, size)
-            arrays = {name: getattr(right, name) for name in ("color", "alpha", "covered")}
-            facts = {name: getattr(right, name)
-                     for name in ("source", "fragments", "layers", "cross_check")}
-            self.store.save_truth(scene.name, size, arrays, facts)
+            self.progress.show("%s: truth" % name)
+            right = truth.find(stage)
+            arrays = {key: getattr(right, key) for key in ("color", "alpha", "covered")}
+            facts = {key: getattr(right, key)
+                     for key in ("source", "fragments", "layers", "cross_check")}
+            self.store.save_truth(name, stage.size, arrays, facts)
             kept = {**arrays, **facts}
         return kept
 
@@ -171,24 +171,10 @@ class Laboratory:
                     return result["reason"]
         return ""
 
-    def _keep(self, scene, parts, size, name, right, measured):
+    def _keep(self, stage, name, right, measured):
         """The result (dict) of a Measured, saved."""
-        result = {
-            "scene": scene.name, "title": scene.title, "family": scene.family,
-            "value": scene.value, "method": name, "reason": measured.reason, "width": size[0],
-            "height": size[1], "triangles": int(triangles_of(parts)), "props": len(parts),
-            "truth": right["source"], "truth_fragments": int(right["fragments"]),
-            "truth_layers": int(right["layers"]), "cross_check": right["cross_check"]}
-        result.update(measured.timing or {})
-        if measured.statistics is not None:
-            result.update(measured.statistics._asdict())
-        if measured.color is not None:
-            result.update(accuracy.measure(
-                measured.color, right["color"], right["covered"])._asdict())
-        if measured.alpha is not None:
-            errors = accuracy.measure(measured.alpha, right["alpha"], right["covered"])
-            result.update({"alpha_" + key: value for key, value in errors._asdict().items()})
-        self.store.save(scene.name, name, size, result, measured.color)
+        result = record.make(stage.facts(), name, right, measured)
+        self.store.save(result["scene"], name, stage.size, result, measured.color)
         return result
 
     def write(self):

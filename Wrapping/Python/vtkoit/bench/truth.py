@@ -11,7 +11,6 @@ from vtkmodules.vtkCommonCore import vtkFloatArray
 
 from ..errors import Error, capture
 from ..picture import grab
-from .contenders import Contender, opaque_picture
 
 Truth = collections.namedtuple("Truth", "color alpha covered source fragments layers cross_check")
 Truth.__doc__ = """color: float array, height x width x 3, in [0, 1], over the scene's background. alpha: float
@@ -92,18 +91,18 @@ def fragments_of(abuffer):
     return vtk_to_numpy(values).reshape(-1, 7) if done else numpy.zeros((0, 7), numpy.float32)
 
 
-def find(scene, parts, size):
-    """The Truth of a scene's first frame. Raises Error where the A-buffer does not run."""
-    width, height = size
+def find(stage):
+    """The Truth of a Stage. Raises Error where the A-buffer does not run."""
+    width, height = stage.size
     with capture():
-        contender = Contender(METHOD, scene, parts, size)
+        contender = stage.contender(METHOD)
         contender.render()
         contender.render()
     if contender.missing():
         raise Error("the truth needs the method abuffer: %s" % contender.missing())
     told = contender.statistics()
-    behind = opaque_picture(scene, parts, size)
-    covering = opaque_picture(scene, parts, size, background_alpha=0.0)[..., 3:]
+    behind = stage.behind(contender.renderer.GetBackgroundAlpha())
+    covering = stage.behind(0.0)[..., 3:]
     if told.fragments <= LARGEST:
         fragments = fragments_of(contender.oit)
         pixels, layers = composite(
@@ -121,14 +120,14 @@ def find(scene, parts, size):
                        told.layers, None)
     contender.close()
     if told.fragments * max(1, told.layers) <= LARGEST_CROSS_CHECK:
-        result = result._replace(cross_check=_cross_check(scene, parts, size, result))
+        result = result._replace(cross_check=_cross_check(stage, result))
     return result
 
 
-def _cross_check(scene, parts, size, truth):
+def _cross_check(stage, truth):
     """The largest difference of the method `peel` to the truth, float, in steps of 8 bits."""
     with capture():
-        contender = Contender(CROSS_CHECK, scene, parts, size)
+        contender = stage.contender(CROSS_CHECK)
         contender.render()
         pixels = grab(contender.window)
         contender.close()
