@@ -158,12 +158,18 @@ def sphere_renderer():
 
 def draw(renderer, size=(120, 100)):
     """What a new window shows of the renderer, as picture.grab()."""
+    return draw_and(renderer, size, lambda: None)
+
+
+def draw_and(renderer, size, look):
+    """Renders into a new window and calls look() while it is there; the picture as picture.grab()."""
     from vtkoit import picture
     from vtkoit.windows import make_window
 
     window = make_window(renderer, size)
     window.Render()
     pixels = picture.grab(window)
+    look()
     window.RemoveRenderer(renderer)
     window.Finalize()
     return pixels

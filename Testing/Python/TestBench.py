@@ -1,0 +1,318 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The laboratory's parts: the truth, the errors, the frontier, timing, scenes, methods, results on disk."""
+
+import json
+import os
+import unittest
+
+import numpy
+import Support
+import vtkoit
+from vtkoit import reference
+from vtkoit.bench import (
+    accuracy,
+    catalogue,
+    contenders,
+    families,
+    measure,
+    scene,
+    stage,
+    tables,
+    truth,
+)
+from vtkoit.bench.store import Store, read_png
+from vtkoit.errors import Error
+
+BACKGROUND = (0.2, 0.4, 0.6, 0.5)
+
+
+def background(shape):
+    return numpy.broadcast_to(numpy.array(BACKGROUND), (*shape, 4))
+
+
+class TestComposite(unittest.TestCase):
+    def compose(self, fragments, shape=(1, 1)):
+        return truth.composite(numpy.array(fragments, dtype=numpy.float32), shape, background(shape))
+
+    def test_nothing(self):
+        pixels, layers = self.compose(numpy.zeros((0, 7)), (2, 3))
+        numpy.testing.assert_array_equal(pixels, background((2, 3)))
+        self.assertEqual(layers.sum(), 0)
+
+    def test_equal_layers(self):
+        for number, alpha in ((1, 0.5), (7, 0.25), (1000, 1 / 1024)):
+            depth = numpy.arange(1, number + 1) / 2048
+            fragments = [(0, 0, d, 0.75, 0.5, 0.25, alpha) for d in depth]
+            pixels, layers = self.compose(fragments)
+            left = (1.0 - alpha) ** number
+            expected = (1 - left) * numpy.array([0.75, 0.5, 0.25, 1]) + left * numpy.array(BACKGROUND)
+            numpy.testing.assert_allclose(pixels[0, 0], expected, rtol=1e-12)
+            self.assertEqual(layers[0, 0], number)
+
+    def test_place_and_order(self):
+        # Rows of fragments count from below, rows of pixels from the top.
+        fragments = [(2, 0, 0.75, 0, 1, 0, 0.5), (2, 0, 0.5, 1, 0, 0, 0.25), (0, 1, 0.5, 0, 0, 1, 1)]
+        pixels, layers = self.compose(fragments, (2, 3))
+        expected = reference.compose([(1, 0, 0), (0, 1, 0)], [0.25, 0.5], BACKGROUND)
+        numpy.testing.assert_allclose(pixels[1, 2], expected, rtol=1e-12)
+        numpy.testing.assert_allclose(pixels[0, 0], [0, 0, 1, 1])
+        numpy.testing.assert_array_equal(layers, [[1, 0, 0], [0, 0, 2]])
+        numpy.testing.assert_array_equal(pixels[0, 1], BACKGROUND)
+
+    def test_coincident_fragments(self):
+        # 1 - (1 - 1/2) (1 - 1/4) = 5/8; colour (1/2 red + 1/4 green) / (3/4).
+        group = [(0, 0, 0.5, 1, 0, 0, 0.5), (0, 0, 0.5, 0, 1, 0, 0.25)]
+        pixels, layers = self.compose(group)
+        expected = reference.compose([(2 / 3, 1 / 3, 0)], [0.625], BACKGROUND)
+        numpy.testing.assert_allclose(pixels[0, 0], expected, rtol=1e-12)
+        self.assertEqual(layers[0, 0], 2)
+        apart = [group[0], (0, 0, numpy.nextafter(numpy.float32(0.5), numpy.float32(1)), 0, 1, 0, 0.25)]
+        pixels, _ = self.compose(apart)
+        expected = reference.compose([(1, 0, 0), (0, 1, 0)], [0.5, 0.25], BACKGROUND)
+        numpy.testing.assert_allclose(pixels[0, 0], expected, rtol=1e-12)
+
+    def test_same_for_every_order(self):
+        random = numpy.random.default_rng(8)
+        fragments = numpy.c_[random.integers(0, 4, 200), random.integers(0, 3, 200),
+                             random.integers(1, 9, 200) / 16, random.random((200, 4))]
+        first, _ = self.compose(fragments, (3, 4))
+        for _ in range(3):
+            again, _ = self.compose(random.permutation(fragments), (3, 4))
+            numpy.testing.assert_allclose(again, first, rtol=1e-12)
+
+
+class TestFragments(unittest.TestCase):
+    def test_quads_by_the_abuffer(self):
+        renderer = Support.quad_renderer()
+        Support.add_quad(renderer, 0.5, (1, 0, 0), 0.5)
+        Support.add_quad(renderer, 0.0, (0, 1, 0), 0.25)
+        Support.add_quad(renderer, 0.0, (0, 0, 1), 0.25)
+        for precision in ("half", "float"):
+            instance = vtkoit.install(renderer, "abuffer", FragmentPrecision=precision)
+            Support.draw_and(renderer, (24, 20), lambda: self.check(instance))
+
+    def check(self, instance):
+        fragments = truth.fragments_of(instance)
+        self.assertEqual(len(fragments), instance.GetNumberOfFragments())
+        pixels, layers = truth.composite(fragments, (20, 24), numpy.zeros((20, 24, 4)))
+        self.assertEqual(layers[10, 12], 3)
+        # Green and blue lie in one plane: 1 - (3/4)^2 of their mean.
+        expected = reference.compose([(1, 0, 0), (0, 0.5, 0.5)], [0.5, 0.4375], (0, 0, 0, 0))
+        numpy.testing.assert_allclose(pixels[10, 12], expected, atol=1e-6)
+
+    def test_nothing_captured(self):
+        self.assertEqual(truth.fragments_of(vtkoit.create("abuffer")).shape, (0, 7))
+
+    def test_truth_of_a_scene(self):
+        chosen, = catalogue.choose(["hull"])
+        found = truth.find(stage.Stage(chosen, (64, 48)))
+        self.assertEqual(found.source, "fragments")
+        self.assertEqual(found.layers, 4)
+        self.assertLess(found.cross_check, 0.51)
+        self.assertTrue(0.1 < found.covered.mean() < 0.9)
+        numpy.testing.assert_array_equal(found.color[0, 0], scene.BACKGROUND)
+        self.assertEqual(found.alpha[0, 0], 0.0)
+        # The hull's two spheres have opacities 1/4 and 1/5; between its parts nothing is opaque.
+        self.assertAlmostEqual(float(found.alpha[24, 8 + 8]), 1 - (0.75 * 0.8) ** 2, places=5)
+
+
+class TestErrors(unittest.TestCase):
+    def test_made_up_pictures(self):
+        right = numpy.full((10, 10, 3), 100 / 255)
+        covered = numpy.zeros((10, 10), dtype=bool)
+        covered[:, :5] = True
+        pixels = numpy.full((10, 10, 3), 100, dtype=numpy.uint8)
+        pixels[:, 5:] = 0  # not covered: does not count
+        none = accuracy.measure(pixels, right, covered)
+        self.assertAlmostEqual(none.max, 0.0)
+        self.assertEqual((none.over0, none.over1, none.over8), (0, 0, 0))
+        pixels[0, 0] = [101, 100, 100]
+        pixels[1, 0] = [100, 97, 100]
+        pixels[2, 0] = [100, 100, 120]
+        errors = accuracy.measure(pixels, right, covered)
+        self.assertAlmostEqual(errors.max, 20.0)
+        self.assertAlmostEqual(errors.rmse, ((1 + 9 + 400) / 150) ** 0.5)
+        self.assertAlmostEqual(errors.psnr, 20 * numpy.log10(255 / errors.rmse))
+        self.assertAlmostEqual(errors.p99, 3 + 0.51 * 17)  # between the two largest of 50
+        self.assertAlmostEqual(errors.over0, 6.0)
+        self.assertAlmostEqual(errors.over1, 4.0)
+        self.assertAlmostEqual(errors.over8, 2.0)
+
+    def test_rounding_is_no_error(self):
+        right = numpy.linspace(0, 1, 300).reshape(10, 10, 3)
+        pixels = numpy.rint(255 * right).astype(numpy.uint8)
+        errors = accuracy.measure(pixels, right, numpy.ones((10, 10), dtype=bool))
+        self.assertLessEqual(errors.max, 0.5 + 1e-9)
+        self.assertEqual((errors.over0, errors.over1), (0, 0))
+
+    def test_nothing_covered(self):
+        errors = accuracy.measure(numpy.zeros((2, 2, 3), numpy.uint8), numpy.ones((2, 2, 3)),
+                                  numpy.zeros((2, 2), dtype=bool))
+        self.assertEqual(errors, accuracy.Errors(0, 0, None, 0, 0, 0, 0))
+
+    def test_alpha_has_one_channel(self):
+        errors = accuracy.measure(numpy.full((2, 2), 255, numpy.uint8), numpy.full((2, 2), 0.8),
+                                  numpy.ones((2, 2), dtype=bool))
+        self.assertAlmostEqual(errors.max, 51.0)
+
+    def test_frontier(self):
+        points = [(5, 1), (1, 9), (2, 9), (3, 4), (4, 5), (9, 0.5), (10, 0.5), (3, 6)]
+        self.assertEqual(accuracy.frontier(points), [1, 3, 0, 5])
+        self.assertEqual(accuracy.frontier([]), [])
+
+
+class TestTiming(unittest.TestCase):
+    def test_medians_and_ratios(self):
+        blend = [(0.010, 0.02), (0.010, 0.02), (0.010, 0.02), (0.050, 0.10)]
+        result = measure.timing([(0.03, 0.04), (0.01, 0.06), (0.02, 0.08)], [(0.025, 0.1)], blend)
+        self.assertEqual(result["frames"], 3)
+        for key, value in (("ms", 20), ("ms_low", 15), ("ms_high", 25), ("cpu_ms", 60),
+                           ("still_ms", 25), ("ratio", 2), ("cpu_ratio", 3), ("fps", 50)):
+            self.assertAlmostEqual(result[key], value, msg=key)
+        # The reference's fourth frame is from a round in which this one did not run.
+        self.assertIsNone(measure.timing([(0.02, 0.1)], [], blend)["still_ms"])
+
+    def test_groups_fit_into_memory(self):
+        names = ["a", "b", "blend", "c"]
+        self.assertEqual(measure.groups(names, 10, 0, 10 ** 9), [["blend", "a", "b", "c"]])
+        each = 1000 * 800
+        self.assertEqual(measure.groups(names, 1000, 0, 3 * each), [["blend", "a", "b"], ["blend", "c"]])
+        self.assertEqual(len(measure.groups(names, 1000, 0, 1)), 3)
+        self.assertEqual(measure.groups(["blend"], 1, 1), [["blend"]])
+
+    def test_ratios_to_vtk_dual(self):
+        results = [{"method": "blend", "ratio": 1.0}, {"method": "vtk-dual", "ratio": 20.0},
+                   {"method": "x", "ratio": 5.0, "cpu_ratio": None}, {"method": "y"}]
+        tables.relate(results)
+        self.assertEqual([r["ratio_to_vtk_dual"] for r in results], [0.05, 1.0, 0.25, None])
+
+
+class TestScenes(unittest.TestCase):
+    def test_names(self):
+        names = [s.name for s in catalogue.all_scenes()]
+        self.assertEqual(len(set(names)), len(names))
+        for name in ("spheres", "isosurfaces", "deep", "layers-1", "layers-256", "triangles-4M",
+                     "pixels-4096", "coverage-0.01", "props-2k", *catalogue.QUICK):
+            self.assertIn(name, names)
+
+    def test_choosing(self):
+        self.assertEqual([s.name for s in catalogue.choose(["layers"])],
+                         ["layers-%d" % n for n in families.FAMILIES["layers"]])
+        self.assertEqual([s.name for s in catalogue.choose(["layers-?", "hull", "layers-4"])],
+                         ["layers-1", "layers-2", "layers-4", "layers-8", "hull"])
+        self.assertEqual(len(catalogue.choose(None, True)), len(catalogue.QUICK))
+        with self.assertRaisesRegex(Error, "no such scene or file"):
+            catalogue.choose(["nothing"])
+
+    def test_layers_are_what_they_say(self):
+        for name, layers in (("layers-8", 8), ("coincident-0.5", 16), ("one-sphere", 2),
+                             ("disjoint", 1)):
+            chosen, = catalogue.choose([name])
+            contender = stage.Stage(chosen, (40, 40)).contender("abuffer")
+            contender.render()
+            self.assertEqual(contender.statistics().layers, layers, name)
+            contender.close()
+
+    def test_families_change_one_thing(self):
+        for family, key in (("triangles", "triangles"), ("props", "props")):
+            values = [stage.Stage(s, (10, 10)).facts()[key]
+                      for s in catalogue.choose([family]) if s.value < 2e5]
+            self.assertEqual(values, sorted(set(values)), family)
+        sizes = [s.size for s in catalogue.choose(["pixels"])]
+        self.assertEqual(sizes, [(n, n) for n in families.FAMILIES["pixels"]])
+
+
+class TestContenders(unittest.TestCase):
+    def test_parse(self):
+        self.assertEqual(contenders.parse("multilayer:NumberOfLayersPerPass=16"),
+                         ("multilayer", {"NumberOfLayersPerPass": "16"}))
+        self.assertEqual(contenders.parse("vtk-dual"), ("vtk-dual", {}))
+        for name, text in (("nothing", "unknown; there are: blend"), ("dual:x", "NAME=VALUE"),
+                           ("dual:Nothing=1", "has no property"), ("vtk-dual:a=1", "no properties"),
+                           ("multilayer:NumberOfLayersPerPass=5", "is refused")):
+            with self.assertRaisesRegex(Error, text):
+                contenders.parse(name)
+        for name in contenders.names() + contenders.names(True):
+            contenders.parse(name)
+        self.assertLessEqual(set(vtkoit.methods()), set(contenders.names()))
+
+    def test_every_method_draws(self):
+        """Three squares one behind the other: the exact ones are right, unsorted blending is not."""
+        chosen = scene.Scene(
+            "", "", lambda: families.stack(3, opacity=0.5)[::-1], lambda r: scene.facing(r, 0.9))
+        here = stage.Stage(chosen, (12, 10))
+        right = truth.find(here)
+        wrong = {"blend", "vtk-weighted", "weighted-average", "weighted-sum", "weighted-blended"}
+        for name in contenders.names():
+            with self.subTest(name):
+                contender = here.contender(name)
+                contender.render()
+                pixels = vtkoit.picture.grab(contender.window)[..., :3]
+                contender.close()
+                errors = accuracy.measure(pixels, right.color, right.covered)
+                if name in wrong:
+                    self.assertGreater(errors.max, 3.0)
+                else:
+                    # VTK blends in 8 bits.
+                    self.assertLess(errors.max, 3.0 if name.startswith("vtk-") else 1.0)
+
+    def test_sorting_is_for_surfaces(self):
+        for name, possible in (("spheres", True), ("molecule", False), ("foliage", False)):
+            chosen, = catalogue.choose([name])
+            self.assertEqual(not stage.Stage(chosen, (8, 8)).why_not("vtk-sort"), possible, name)
+
+
+class TestStore(Support.FolderTest):
+    def test_keeps_what_was_measured(self):
+        store = Store(self.folder, {"frames": 3})
+        self.assertIsNone(store.load("a/b", "x:y=1", (2, 3)))
+        color = numpy.arange(18, dtype=numpy.uint8).reshape(3, 2, 3)
+        store.save("a/b", "x:y=1", (2, 3), {"ms": 1.5}, color)
+        again = Store(self.folder, {"frames": 3})
+        self.assertEqual(again.load("a/b", "x:y=1", (2, 3)), {"ms": 1.5})
+        numpy.testing.assert_array_equal(again.picture("a/b", "x:y=1"), color)
+        self.assertEqual(again.outdated, set())
+        self.assertIsNone(again.picture("a/b", "other"))
+
+    def test_another_configuration_is_measured_again(self):
+        Store(self.folder, {"frames": 3, "cpu": "a"}).save("s", "m", (2, 3), {"ms": 1})
+        store = Store(self.folder, {"frames": 4, "cpu": "a"})
+        self.assertIsNone(store.load("s", "m", (2, 3)))
+        self.assertEqual(store.outdated, {"frames"})
+        self.assertIsNone(store.load("s", "m", (4, 3)))
+        self.assertEqual(store.outdated, {"frames", "size"})
+
+    def test_damaged_files(self):
+        store = Store(self.folder, {})
+        store.save("s", "m", (2, 3), {"ms": 1})
+        for text in ("", "{", "[]", json.dumps({"configuration": {}})):
+            with open(store.path("s", "m.json"), "w", encoding="ascii") as file:
+                file.write(text)
+            self.assertIsNone(store.load("s", "m", (2, 3)))
+
+    def test_truth(self):
+        store = Store(self.folder, {"a": 1})
+        self.assertIsNone(store.load_truth("s", (2, 2)))
+        store.save_truth("s", (2, 2), {"color": numpy.eye(3)}, {"layers": 4})
+        kept = store.load_truth("s", (2, 2))
+        numpy.testing.assert_array_equal(kept["color"], numpy.eye(3))
+        self.assertEqual(kept["layers"], 4)
+        self.assertIsNone(store.load_truth("s", (3, 2)))
+        self.assertIsNone(Store(self.folder, {"a": 2}).load_truth("s", (2, 2)))
+
+    def test_folder_that_cannot_be(self):
+        with open(self.path("file"), "w", encoding="ascii"):
+            pass
+        with self.assertRaisesRegex(Error, "cannot be made"):
+            Store(self.path("file"), {})
+
+    def test_read_png(self):
+        pixels = numpy.arange(24, dtype=numpy.uint8).reshape(2, 4, 3)
+        vtkoit.picture.save(pixels, self.path("a.png"))
+        numpy.testing.assert_array_equal(read_png(self.path("a.png")), pixels)
+        self.assertEqual(os.listdir(self.folder), ["a.png"])
+
+
+if __name__ == "__main__":
+    unittest.main()
