@@ -104,9 +104,10 @@ def _matrix(scenes, methods, cell):
 
 def _about(mine):
     first = mine[0]
-    return "%s (%s, %s triangles, %s fragments, up to %d layers)" % (
+    return "%s (%s; %s triangles, %s fragments, up to %d layer%s)" % (
         first["scene"], first["title"], format(first["triangles"], ","),
-        format(first["truth_fragments"], ","), first["truth_layers"])
+        format(first["truth_fragments"], ","), first["truth_layers"],
+        "s"[:first["truth_layers"] != 1])
 
 
 def _times(scenes):
@@ -118,7 +119,7 @@ def _times(scenes):
         "As multiples of unsorted blending, which is fast and wrong; %s." % _sizes(plain),
         _matrix(plain, methods, lambda r: "%.2f" % r["ratio"] if r["ratio"] < 10
                 else "%.1f" % r["ratio"]),
-        "The scenes: " + "; ".join(_about(mine) for mine in plain) + "."])
+        "The scenes:\n\n" + "\n".join("- " + _about(mine) for mine in plain)])
 
 
 def _sizes(scenes):
@@ -145,7 +146,7 @@ def _errors(scenes):
     return "\n\n".join([
         "Percent of the covered pixels with a channel more than one step off; in parentheses the largest error in steps.",
         _matrix(plain, _methods(plain), lambda r: "%s (%.0f)" % (
-            "0" if r["over1"] == 0.0 else "%.2g" % r["over1"], r["max"]))])
+            "0" if r["over1"] == 0.0 else "%.3g" % r["over1"], r["max"]))])
 
 
 def _exact(scenes):

@@ -119,12 +119,13 @@ def cost(path, results, family, dpi=90):
 
 
 def _plain_ticks(axes, x=True):
-    from matplotlib.ticker import FuncFormatter
+    """Ticks of log axes at 1, 2, 5, 10, ... as plain numbers."""
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-    form = FuncFormatter(lambda value, _: "%g" % value)
-    if x:
-        axes.xaxis.set_major_formatter(form)
-    axes.yaxis.set_major_formatter(form)
+    for axis in [axes.xaxis, axes.yaxis] if x else [axes.yaxis]:
+        axis.set_major_locator(LogLocator(base=10.0, subs=(1.0, 2.0, 5.0)))
+        axis.set_major_formatter(FuncFormatter(lambda value, _: "%g" % value))
+        axis.set_minor_formatter(NullFormatter())
 
 
 def _finish(figure, axes, pyplot, path):

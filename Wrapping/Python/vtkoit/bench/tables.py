@@ -43,8 +43,9 @@ def heading(result):
         result["scene"], result["title"], result["width"], result["height"],
         format(result["triangles"], ","), result["props"], "s"[:result["props"] != 1])
     if result.get("truth_fragments") is not None:
-        text += ", %s fragments, up to %d layers" % (
-            format(result["truth_fragments"], ","), result["truth_layers"])
+        text += ", %s fragments, up to %d layer%s" % (
+            format(result["truth_fragments"], ","), result["truth_layers"],
+            "s"[:result["truth_layers"] != 1])
     if result.get("truth"):
         text += "; truth: " + {"fragments": "fragments in double precision",
                                "abuffer": "the picture of abuffer with float colours"}[result["truth"]]
