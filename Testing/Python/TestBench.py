@@ -15,6 +15,7 @@ from vtkoit.bench import (
     catalogue,
     contenders,
     families,
+    gpu,
     measure,
     scene,
     stage,
@@ -172,6 +173,25 @@ class TestTiming(unittest.TestCase):
             self.assertAlmostEqual(result[key], value, msg=key)
         # The reference's fourth frame is from a round in which this one did not run.
         self.assertIsNone(measure.timing([(0.02, 0.1)], [], blend)["still_ms"])
+
+    def test_timer_queries(self):
+        """llvmpipe has timer queries, of the processor's time, which is known here."""
+        chosen, = catalogue.choose(["one-sphere"])
+        contender = stage.Stage(chosen, (200, 200)).contender("abuffer")
+        contender.render()
+        contender.render()
+        contender.window.MakeCurrent()
+        timer = gpu.Timer()
+        self.assertTrue(timer.renderer)
+        if timer.is_software():
+            self.assertIsNone(contender.timer)
+            contender.timer = timer
+        for _ in range(3):
+            seconds, _ = contender.render()
+            self.assertGreater(contender.gpu_seconds, 0.0)
+            # A query starts before the clock and ends before the frame is known to be done.
+            self.assertLess(contender.gpu_seconds, seconds + 1.0)
+        contender.close()
 
     def test_groups_fit_into_memory(self):
         names = ["a", "b", "blend", "c"]

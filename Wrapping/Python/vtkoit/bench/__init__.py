@@ -9,6 +9,7 @@ sciviz.py         scenes as they are drawn in practice, data.py those of data fi
 catalogue.py      all scenes by name
 stage.py          a scene as every method gets it
 contenders.py     all methods by name, each in a window of its own
+gpu.py            timer queries of a GPU
 measure.py        interleaved frames, medians and spread
 truth.py          the right picture, in double precision from captured fragments
 accuracy.py       errors of a picture against the truth

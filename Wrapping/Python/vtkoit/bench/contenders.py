@@ -8,6 +8,7 @@ import time
 from ..errors import Error, capture
 from ..passes import create, methods
 from ..windows import make_window
+from . import gpu
 
 # Peels that never end a frame before its last layer.
 ALL_PEELS = 100000
@@ -109,15 +110,29 @@ class Contender:
         self.steps.SetTranslucentPass(translucent)
         self.renderer.SetPass(self.steps)
         self.window = make_window(self.renderer, size)
+        self.timer = None
+        self.gpu_seconds = None
 
     def render(self):
-        """Renders a frame; (seconds, seconds of all cores), float, until the frame is done."""
+        """Renders a frame; (seconds, seconds of all cores), float, until the frame is done. Sets
+        gpu_seconds, float; None without a GPU, and for the first frame."""
+        is_first = bool(self.window.GetNeverRendered())
+        if self.timer is not None:
+            self.window.MakeCurrent()
+            self.timer.begin()
         cpu = time.process_time()
         start = time.perf_counter()
         self.window.Render()
+        if self.timer is not None:
+            self.timer.end()
         self.window.WaitForCompletion()
         seconds = time.perf_counter() - start
-        return seconds, time.process_time() - cpu
+        cpu = time.process_time() - cpu
+        if self.timer is not None:
+            self.gpu_seconds = self.timer.seconds()
+        elif is_first:
+            self.timer = gpu.make_timer()
+        return seconds, cpu
 
     def turn(self, degrees):
         """Turns the camera around the vertical, so that nothing of the last frame can be used."""

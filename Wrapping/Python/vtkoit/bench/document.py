@@ -36,7 +36,8 @@ on {machine}. It makes the page again on another machine; `--quick` gives first 
   truth where that ends in bearable time. Scenes of more than 24 million fragments take the picture of `abuffer` with float colours instead.
 - Errors are those of the 8-bit window, in steps of 1/255, over the pixels that translucent props cover. A right picture is off by up to
   half a step, and by an RMSE of 0.29. Alpha is measured over a transparent background.
-- The times include the processor's and the GPU's: timer queries of the GPU are not reachable from Python.
+- The times are those of processor and GPU together. On a GPU its timer queries give its own share too (column `GPU`); a software
+  renderer has none.
 """
 
 
@@ -66,9 +67,9 @@ def write(folder, machine, results, store, command):
 
 
 def _where(machine):
-    return "%s, %d cores, %s, VTK %s, %s, %s" % (
-        machine["cpu"], machine["cores"], machine["system"], machine["vtk"], machine["renderer"],
-        machine["date"][:10])
+    return "%s, %d cores, load average at the start %s, %s, VTK %s, %s, %s" % (
+        machine["cpu"], machine["cores"], machine["load"], machine["system"], machine["vtk"],
+        machine["renderer"], machine["date"][:10])
 
 
 def _plain(scenes):
@@ -145,8 +146,8 @@ def _errors(scenes):
     plain = _plain(scenes)
     return "\n\n".join([
         "Percent of the covered pixels with a channel more than one step off; in parentheses the largest error in steps.",
-        _matrix(plain, _methods(plain), lambda r: "%s (%.0f)" % (
-            "0" if r["over1"] == 0.0 else "%.3g" % r["over1"], r["max"]))])
+        _matrix(plain, _methods(plain), lambda r: "%s (%.1f)" % (
+                "0" if r["over1"] == 0.0 else "%.3g" % r["over1"], r["max"]))])
 
 
 def _exact(scenes):

@@ -96,6 +96,7 @@ class _Entrant:
         self.name = name
         self.settings = settings
         self.times = []
+        self.gpu = []
         self.still = []
         self.most_bytes = 0
         self.color = self.alpha = self.statistics = None
@@ -135,6 +136,8 @@ class _Entrant:
         if len(self.times) == number and self._may(self.times):
             self.contender.turn(self.settings.turn)
             self.times.append(self.contender.render())
+            if self.contender.gpu_seconds is not None:
+                self.gpu.append(self.contender.gpu_seconds)
             told = self.contender.statistics()
             if told is not None:
                 self.most_bytes = max(self.most_bytes, told.bytes)
@@ -151,8 +154,9 @@ class _Entrant:
         statistics = self.statistics
         if statistics is not None:
             statistics = statistics._replace(bytes=max(statistics.bytes, self.most_bytes))
-        return Measured(timing(self.times, self.still, reference.times), statistics, self.color,
-                        self.alpha, "")
+        result = timing(self.times, self.still, reference.times)
+        result["gpu_ms"] = 1000.0 * float(numpy.median(self.gpu)) if self.gpu else None
+        return Measured(result, statistics, self.color, self.alpha, "")
 
 
 def timing(times, still, reference):

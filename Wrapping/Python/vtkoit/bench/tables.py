@@ -12,7 +12,7 @@ DUAL = "vtk-dual"
 # Columns of the CSV file and, in this order, the keys of a result.
 COLUMNS = (
     "scene", "family", "value", "method", "reason", "width", "height", "triangles", "props",
-    "frames", "ms", "ms_low", "ms_high", "cpu_ms", "still_ms", "fps", "ratio", "cpu_ratio",
+    "frames", "ms", "ms_low", "ms_high", "cpu_ms", "gpu_ms", "still_ms", "fps", "ratio", "cpu_ratio",
     "ratio_to_vtk_dual", "cpu_ratio_to_vtk_dual", "algorithm", "exact", "error_bound", "passes",
     "fragments", "layers", "bytes", "truth", "truth_fragments", "truth_layers", "cross_check",
     "max", "rmse", "psnr", "p99", "over0", "over1", "over8",
@@ -55,7 +55,7 @@ def heading(result):
 
 
 _TEXT = (  # heading, key, format, width
-    ("ms", "ms", "%.1f", 9), ("IQR", None, None, 6), ("frames", "frames", "%d", 7),
+    ("ms", "ms", "%.1f", 9), ("IQR", None, None, 6), ("frames", "frames", "%d", 7), ("GPU", "gpu_ms", "%.1f", 8),
     ("x blend", "ratio", "%.2f", 8), ("cpu x", "cpu_ratio", "%.2f", 7),
     ("x dual", "ratio_to_vtk_dual", "%.3f", 8), ("still", "still_ms", "%.1f", 9),
     ("passes", "passes", "%d", 7), ("MiB", None, None, 6), ("exact", None, None, 6),
@@ -93,7 +93,8 @@ def text(results):
 
 
 LEGEND = """ms: median of a frame of a turning camera; IQR: between the quartiles, of the median; x blend, x dual:
-as multiples of {0} and of {1}; cpu x: of {0}, in time of all cores; still: a camera that does not turn.
+as multiples of {0} and of {1}; cpu x: of {0}, in time of all cores; GPU: ms by its timer queries; still:
+ms with a camera that does not turn.
 max, RMSE, p99 in steps of 1/255, PSNR in dB, of the colours of covered pixels; >n %: pixels with a
 channel more than n steps off, >0 for another value than the nearest; a: of alpha.""".format(
     REFERENCE, DUAL)
