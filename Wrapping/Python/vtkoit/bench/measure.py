@@ -83,7 +83,7 @@ def _take_turns(name, running, settings, progress):
             progress.show("%s: frame %d of %d" % (name, number + 1, rounds), number / rounds)
             for entrant in running[::-1] if number % 2 else running:
                 entrant.take_turn(number)
-        for number in range(max(1, rounds // 3)):
+        for number in range(max(2, rounds // 3)):
             progress.show("%s: still frame" % name)
             for entrant in running:
                 entrant.stand_still(number)
@@ -143,8 +143,14 @@ class _Entrant:
                 self.most_bytes = max(self.most_bytes, told.bytes)
 
     def stand_still(self, number):
-        if len(self.still) == number and self.first < self.settings.budget and (
-                not self.still or sum(t for t, _ in self.still) < 0.25 * self.settings.budget):
+        if self.first > self.settings.budget:
+            return
+        if number == 0:
+            # What a method keeps of a still scene, it has after some frames.
+            for _ in range(3):
+                self.contender.render()
+        if len(self.still) == number and (
+                number < 2 or sum(t for t, _ in self.still) < 0.25 * self.settings.budget):
             self.still.append(self.contender.render())
 
     def result(self, running):

@@ -13,7 +13,7 @@ from .stage import Stage
 from .store import Store, slug
 
 # What an interrupted run may not mix with; changes when results mean something else.
-FORMAT = 1
+FORMAT = 2
 
 FULL = measure.Settings(frames=15, budget=3.0, turn=0.5, longest=10.0)
 QUICK = measure.Settings(frames=5, budget=1.0, turn=0.5, longest=4.0)
