@@ -5,6 +5,7 @@
 import json
 import os
 import unittest
+from unittest import mock
 
 import numpy
 import Support
@@ -17,6 +18,7 @@ from vtkoit.bench import (
     families,
     gpu,
     measure,
+    record,
     scene,
     stage,
     tables,
@@ -206,6 +208,31 @@ class TestTiming(unittest.TestCase):
                    {"method": "x", "ratio": 5.0, "cpu_ratio": None}, {"method": "y"}]
         tables.relate(results)
         self.assertEqual([r["ratio_to_vtk_dual"] for r in results], [0.05, 1.0, 0.25, None])
+
+
+class TestRecord(unittest.TestCase):
+    def test_the_worst_picture_counts(self):
+        right = {"source": "fragments", "fragments": 4, "layers": 1, "cross_check": None,
+                 "color": numpy.zeros((2, 2, 3)), "covered": numpy.ones((2, 2), dtype=bool)}
+        good, bad = numpy.zeros((2, 2, 3), numpy.uint8), numpy.full((2, 2, 3), 7, numpy.uint8)
+        for colors in ([good, bad], [bad, good]):
+            result, color = record.make({"scene": "s"}, "m", right,
+                                        measure.Measured({"ms": 1.0}, None, colors, None, ""))
+            self.assertEqual((result["max"], result["ms"], result["scene"]), (7.0, 1.0, "s"))
+            self.assertIs(color, bad)
+        result, color = record.make({}, "m", right, record.not_run("it is Monday"))
+        self.assertEqual((result["reason"], color, "max" in result), ("it is Monday", None, False))
+
+    def test_frames_that_go_on(self):
+        """What is measured before and after: the same picture of the same camera."""
+        chosen, = catalogue.choose(["hull"])
+        settings = measure.Settings(frames=2, budget=5.0, turn=3.0, longest=1.0)
+        here = stage.Stage(chosen, (40, 30))
+        found = dict(measure.measure(here, ["blend", "abuffer"], settings, mock.MagicMock()))
+        first, last = found["abuffer"].colors
+        numpy.testing.assert_array_equal(first, last)
+        self.assertEqual(found["abuffer"].timing["frames"], 2)
+        self.assertGreater(first.std(), 1.0)
 
 
 class TestScenes(unittest.TestCase):

@@ -56,8 +56,9 @@ def run(arguments, progress):
                                 stage.facts()["triangles"]):
         for method, measured in measure.measure(stage, group, SETTINGS, progress):
             if method not in [result["method"] for result in results]:
-                results.append(record.make(stage.facts(), method, right, measured))
-                _save(arguments.output, method, measured.color, right["color"])
+                result, color = record.make(stage.facts(), method, right, measured)
+                results.append(result)
+                _save(arguments.output, method, color, right["color"])
     tables.relate(results)
     results.sort(key=lambda result: names.index(result["method"]))
     described = machine.describe()

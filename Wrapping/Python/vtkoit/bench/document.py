@@ -35,7 +35,7 @@ on {machine}. It makes the page again on another machine; `--quick` gives first 
   fragments of one depth count as one group. `peel` with `TransmittanceThreshold` 0, which shares no sorting with it, is compared with the
   truth where that ends in bearable time. Scenes of more than 24 million fragments take the picture of `abuffer` with float colours instead.
 - Errors are those of the 8-bit window, in steps of 1/255, over the pixels that translucent props cover. A right picture is off by up to
-  half a step, and by an RMSE of 0.29. Alpha is measured over a transparent background.
+  half a step, and by an RMSE of 0.29. The worse of two pictures counts: before and after all timed frames. Alpha is measured over a transparent background.
 - The times are those of processor and GPU together. On a GPU its timer queries give its own share too (column `GPU`); a software
   renderer has none.
 """

@@ -3,7 +3,7 @@
 """Frames of several methods, interleaved: what one costs, and its picture.
 
 A method's first frames compile its shaders and find the size of its buffers; they are not timed. Its
-picture is that of the scene's own camera. Then the methods take turns, a frame each, and before each
+picture is that of the scene's own camera, before and after all other frames. Then the methods take turns, a frame each, and before each
 frame the camera turns a little, so that nothing of the last one can be used. Last, a few frames with a
 still camera. Times run until glFinish() returns.
 
@@ -26,10 +26,11 @@ a method stops, with 3 frames at least, or 1 when a single frame takes longer. t
 camera a frame. longest: float, seconds of a frame after which a method is left out of deeper scenes of a
 family."""
 
-Measured = collections.namedtuple("Measured", "timing statistics color alpha reason")
-Measured.__doc__ = """timing: dict, as in _timing(), or None when the method did not run. statistics: a
-contenders.Statistics, or None. color: array of uint8, height x width x 3, and alpha: array of uint8, height
-x width, over a transparent background, or None. reason: str, why it did not run."""
+Measured = collections.namedtuple("Measured", "timing statistics colors alpha reason")
+Measured.__doc__ = """timing: dict, as from timing(), or None when the method did not run. statistics: a
+contenders.Statistics, or None. colors: list of arrays of uint8, height x width x 3: the picture before and
+after all frames. alpha: array of uint8, height x width, over a transparent background, or None. reason: str,
+why it did not run."""
 
 REFERENCE = "blend"  # what ratios refer to; always among those that run
 # Bytes of a pixel in the most expensive method's buffers and the window's own, and of a triangle.
@@ -59,7 +60,7 @@ def measure(stage, names, settings, progress):
             progress.show("%s: %s" % (scene, name))
             reason = stage.why_not(name)
             if reason:
-                yield name, Measured(None, None, None, None, reason)
+                yield name, Measured(None, None, [], None, reason)
                 continue
             contenders.append(_Entrant(name, stage, settings))
         running = [entrant for entrant in contenders if not entrant.reason]
@@ -87,6 +88,8 @@ def _take_turns(name, running, settings, progress):
             progress.show("%s: still frame" % name)
             for entrant in running:
                 entrant.stand_still(number)
+        for entrant in running:
+            entrant.look_again()
 
 
 class _Entrant:
@@ -99,7 +102,8 @@ class _Entrant:
         self.gpu = []
         self.still = []
         self.most_bytes = 0
-        self.color = self.alpha = self.statistics = None
+        self.colors = []
+        self.alpha = self.statistics = self.camera = None
         with capture() as captured:
             self.contender = stage.contender(name)
             self.first = self.contender.render()[0]
@@ -112,7 +116,9 @@ class _Entrant:
     def _look(self):
         if self.first < 0.5 * self.settings.budget:
             self.first = self.contender.render()[0]
-        self.color = grab(self.contender.window)[..., :3]
+        self.colors = [grab(self.contender.window)[..., :3]]
+        self.camera = self.contender.renderer.GetActiveCamera().NewInstance()
+        self.camera.DeepCopy(self.contender.renderer.GetActiveCamera())
         self.statistics = self.contender.statistics()
         if self.first < 1.5 * self.settings.budget:
             background = self.contender.renderer.GetBackgroundAlpha()
@@ -153,16 +159,25 @@ class _Entrant:
                 number < 2 or sum(t for t, _ in self.still) < 0.25 * self.settings.budget):
             self.still.append(self.contender.render())
 
+    def look_again(self):
+        """The picture again, for errors that come with what is kept from frame to frame."""
+        if self.first < self.settings.budget:
+            camera = self.contender.renderer.GetActiveCamera()
+            camera.DeepCopy(self.camera)
+            camera.Modified()  # DeepCopy() does not tell
+            self.contender.render()
+            self.colors.append(grab(self.contender.window)[..., :3])
+
     def result(self, running):
         if self.reason:
-            return Measured(None, None, None, None, self.reason)
+            return Measured(None, None, [], None, self.reason)
         reference = next(e for e in running if e.name == REFERENCE)
         statistics = self.statistics
         if statistics is not None:
             statistics = statistics._replace(bytes=max(statistics.bytes, self.most_bytes))
         result = timing(self.times, self.still, reference.times)
         result["gpu_ms"] = 1000.0 * float(numpy.median(self.gpu)) if self.gpu else None
-        return Measured(result, statistics, self.color, self.alpha, "")
+        return Measured(result, statistics, self.colors, self.alpha, "")
 
 
 def timing(times, still, reference):

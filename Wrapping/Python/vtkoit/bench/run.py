@@ -13,7 +13,7 @@ from .stage import Stage
 from .store import Store, slug
 
 # What an interrupted run may not mix with; changes when results mean something else.
-FORMAT = 2
+FORMAT = 3
 
 FULL = measure.Settings(frames=15, budget=3.0, turn=0.5, longest=10.0)
 QUICK = measure.Settings(frames=5, budget=1.0, turn=0.5, longest=4.0)
@@ -173,8 +173,8 @@ class Laboratory:
 
     def _keep(self, stage, name, right, measured):
         """The result (dict) of a Measured, saved."""
-        result = record.make(stage.facts(), name, right, measured)
-        self.store.save(result["scene"], name, stage.size, result, measured.color)
+        result, color = record.make(stage.facts(), name, right, measured)
+        self.store.save(result["scene"], name, stage.size, result, color)
         return result
 
     def write(self):
