@@ -42,6 +42,11 @@ def line(machine):
             "%(renderer)s, OpenGL %(opengl)s; %(date)s" % machine)
 
 
+def is_busy(machine):
+    """Whether other work, by the load of the last minute, takes more than a quarter of the cores."""
+    return machine["load"] > 0.25 * machine["cores"]
+
+
 def _cpu():
     try:
         with open("/proc/cpuinfo", encoding="utf-8") as file:

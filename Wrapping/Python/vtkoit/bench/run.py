@@ -42,6 +42,8 @@ def run(options, progress):
         raise Error(str(error)) from None
     laboratory = Laboratory(options.output, names, size, settings, progress)
     print(machine.line(laboratory.machine))
+    if machine.is_busy(laboratory.machine):
+        print("Other work keeps this machine busy: ratios of processor time (cpu x) say more than others.")
     print(tables.LEGEND)
     start = time.monotonic()
     for scene in scenes:
