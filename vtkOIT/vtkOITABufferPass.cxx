@@ -196,12 +196,14 @@ vtkTypeInt64 vtkOITABufferPass::RenderBand(vtkOITFrame& frame)
     const std::int64_t capacity = impl.Store.GetCapacity();
     if (!counters.Overflow)
     {
-      this->AddStatistics(
-        counters.FragmentCount, *std::max_element(counters.Tiles.begin(), counters.Tiles.end()));
-      return counters.FragmentCount;
+      const std::int64_t nodes = counters.NodeCount;
+      this->AddStatistics(impl.HeadInTarget ? counters.FragmentCount : nodes,
+        *std::max_element(counters.Tiles.begin(), counters.Tiles.end()));
+      return std::min(nodes, capacity);
     }
     // A count that is not beyond the capacity has wrapped around 2^32.
-    needed = counters.FragmentCount > capacity ? counters.FragmentCount : INT64_C(1) << 32;
+    needed = std::int64_t(counters.NodeCount) + vtkOITFragmentStore::PageSize;
+    needed = needed > capacity ? needed : INT64_C(1) << 32;
     if (impl.Store.GetPoolBytes() >= largestPool || capacity <= before)
     {
       break;

@@ -71,15 +71,17 @@ std::string vtkOITFragmentReadback::Read(
   }
   window->PushContext();
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
-  const std::int64_t used = std::min(fragments, this->Store.GetCapacity());
+  const std::int64_t nodesOfPages =
+    std::int64_t(this->Store.ReadCounters().NodeCount) + vtkOITFragmentStore::PageSize;
   const std::vector<std::uint32_t> heads = this->ReadHeads();
-  const std::vector<std::uint32_t> nodes = this->ReadNodes(used + 1);
+  const std::vector<std::uint32_t> nodes =
+    this->ReadNodes(std::min(nodesOfPages, this->Store.GetCapacity() + 1));
   window->PopContext();
 
   const vtkOITFragmentStore::Lists lists = this->Store.GetLists();
   const vtkOITRectangle& rectangle = this->Store.GetRectangle();
   std::vector<float> values;
-  values.reserve(static_cast<std::size_t>(used) * Components);
+  values.reserve(static_cast<std::size_t>(fragments) * Components);
   for (int y = rectangle.Y; y < rectangle.Y + rectangle.Height; ++y)
   {
     for (int x = rectangle.X; x < rectangle.X + rectangle.Width; ++x)

@@ -14,10 +14,10 @@ namespace
 {
 constexpr std::int64_t BytesPerTexel = 16; // of the pool as a buffer texture, GL_RGBA32UI
 
-// The words before the tiles in the counter buffer: fragments, overflow, two unused.
+// The words before the tiles in the counter buffer: nodes, overflow, two unused.
 constexpr int CounterWords = 4;
-// Words of a tile: depth complexity or marks; depth complexity of marked tiles.
-constexpr int TileWords = 2;
+// Words of a tile: depth complexity or marks; depth complexity of marked tiles; fragments.
+constexpr int TileWords = 3;
 
 constexpr GLsizeiptr GetCounterBytes(int tiles)
 {
@@ -188,9 +188,11 @@ void vtkOITFragmentStore::SetUniforms(vtkShaderProgram* program) const
   const int origin[2] = { this->WholeFramebuffer ? 0 : this->Rectangle.X,
     this->WholeFramebuffer ? 0 : this->Rectangle.Y };
   const int corner[2] = { this->Rectangle.X, this->Rectangle.Y };
+  const int size[2] = { this->Rectangle.Width, this->Rectangle.Height };
   const int firstTile[2] = { this->Grid.FirstColumn, this->Grid.FirstRow };
   program->SetUniform2i("oitOrigin", origin);
   program->SetUniform2i("oitCorner", corner);
+  program->SetUniform2i("oitSize", size);
   program->SetUniform2i("oitFirstTile", firstTile);
   program->SetUniformi("oitTileColumns", this->Grid.Columns);
   program->SetUniformi("oitCapacity", static_cast<int>(this->Nodes));
@@ -205,7 +207,7 @@ vtkOITFragmentStore::Counters vtkOITFragmentStore::ReadCounters() const
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
   glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, GetCounterBytes(tiles), words.data());
   Counters counters;
-  counters.FragmentCount = words[0];
+  counters.NodeCount = words[0];
   counters.Overflow = words[1];
   counters.Tiles.reserve(tiles);
   for (std::size_t i = CounterWords; i < words.size(); i += TileWords)
@@ -213,6 +215,7 @@ vtkOITFragmentStore::Counters vtkOITFragmentStore::ReadCounters() const
     const std::uint32_t marks = words[i] & (TryAgain | HasLists);
     counters.Tiles.push_back(marks ? words[i + 1] : words[i]);
     counters.Marks |= marks;
+    counters.FragmentCount += words[i + 2];
   }
   return counters;
 }

@@ -50,7 +50,10 @@ public:
 
   struct Counters
   {
-    std::uint32_t FragmentCount = 0;
+    /// Nodes that were asked for; those of pages are counted as a whole.
+    std::uint32_t NodeCount = 0;
+    /// Fragments of all pixels, once they are resolved without multisampling.
+    std::int64_t FragmentCount = 0;
     std::uint32_t Overflow = 0;
     /// Largest number of fragments of a pixel, for each tile. In tiles with a mark it is known
     /// only after the second chance.
@@ -58,6 +61,9 @@ public:
     /// All marks of tiles: TryAgain, HasLists.
     std::uint32_t Marks = 0;
   };
+
+  /// Nodes of a page, as in glsl/vtkOITABufferPassNodeFS.glsl.
+  static constexpr int PageSize = 4;
 
   /// Marks of tiles, as in glsl/vtkOITABufferPassNodeFS.glsl.
   static constexpr std::uint32_t TryAgain = 0x20000000u;

@@ -21,6 +21,6 @@ void main()
   }
   if (count > 0u)
   {
-    atomicMax(oitTiles[oitFindTile()].x, count);
+    atomicMax(oitTiles[oitFindTile()].Complexity, count);
   }
 }

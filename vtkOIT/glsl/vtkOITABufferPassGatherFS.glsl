@@ -4,6 +4,10 @@
 // Capture: the mapper's own shader, renamed oitShade(), leaves its colour in oitFragColor; this
 // main() prepends it to the list of the pixel.
 //
+// Nodes come from one counter. With OIT_HEAD_IN_TARGET a pixel takes a page of nodes at once, so
+// that its fragments lie in one cache line and few of them need the counter; after an overflow heads
+// go on through nodes that do not exist, so that the counter tells what is needed.
+//
 // The hardware's depth test against the opaque geometry runs before (early_fragment_tests), so a
 // fragment gets here exactly when plain blending would draw it. Shaders that write gl_FragDepth
 // cannot have that, their test runs after. With OIT_HEAD_IN_TARGET that is as good: the list heads
@@ -12,14 +16,6 @@
 
 #ifdef OIT_HEAD_IN_TARGET
 inout uint oitHead;
-uint oitExchangeHead(ivec2 pixel, uint node)
-{
-  uint next = oitHead;
-  oitHead = node;
-  return next;
-}
-#else
-uint oitExchangeHead(ivec2 pixel, uint node) { return imageAtomicExchange(oitHeads, pixel, node); }
 #endif
 
 #ifdef OIT_TEST_DEPTH
@@ -85,18 +81,37 @@ void main()
   }
 #endif
 
-  uint node = atomicAdd(oitFragmentCount, 1u) + 1u;
+  uint key = floatBitsToUint(depth) & 0x7fffffffu; // -0 as +0
+  OITColor color = oitPack(vec4(oitFragColor.rgb, alpha));
+#ifdef OIT_HEAD_IN_TARGET
+  // The next node of the page of the pixel's last fragment, or the first one of a new page. The
+  // test of the colour is never true: halves are at most 0x7bff. Without it, LLVM moves the packing
+  // into the loop over the lanes that a store is on llvmpipe, where it runs for one lane at a time.
+  uint next = oitHead;
+  uint node = next + 1u;
+  if (next == OIT_END || node % OIT_PAGE_SIZE == 0u)
+  {
+    node = atomicAdd(oitNodeCount, OIT_PAGE_SIZE) + OIT_PAGE_SIZE;
+  }
+#ifndef OIT_FLOAT_COLOR
+  oitHead = (color.x & color.y) == 0xffffffffu ? OIT_END : node;
+#else
+  oitHead = node;
+#endif
+#else
+  uint node = atomicAdd(oitNodeCount, 1u) + 1u;
+#endif
   if (node >= uint(oitCapacity))
   {
-    if (node == uint(oitCapacity)) // once, however far the count goes
+    if (node < uint(oitCapacity) + OIT_PAGE_SIZE) // not for each, however far the count goes
     {
       oitOverflow = 1u;
     }
     return;
   }
-  uint next = oitExchangeHead(pixel, node);
-  uint key = floatBitsToUint(depth) & 0x7fffffffu; // -0 as +0
-  OITColor color = oitPack(vec4(oitFragColor.rgb, alpha));
+#ifndef OIT_HEAD_IN_TARGET
+  uint next = imageAtomicExchange(oitHeads, pixel, node);
+#endif
 #ifdef OIT_WIDE_NODES
 #if OIT_SAMPLES > 0
   oitStore(2u * node, uvec4(key, mask, 0u, next));

@@ -27,19 +27,28 @@ const uint OIT_NO_KEY = 0xffffffffu; // sorts behind every depth
 
 layout(binding = 0, r32ui) uniform uimage2D oitHeads;
 
+struct OITTile
+{
+  uint Complexity; // largest number of fragments of a pixel, or marks
+  uint Marked;     // that number, in tiles with marks
+  uint Fragments;  // of all pixels
+};
 layout(std430, binding = 0) buffer OITCounters
 {
-  uint oitFragmentCount; // goes on counting beyond the capacity: the size that is needed
+  uint oitNodeCount; // goes on counting beyond the capacity: the size that is needed
   uint oitOverflow;      // set once the capacity is passed, stays when the count wraps
   uint oitUnused[2];
-  uvec2 oitTiles[]; // x: largest number of fragments of a pixel, or marks; then y: that number
+  OITTile oitTiles[];
 };
 const uint OIT_TRY_AGAIN = 0x20000000u;  // tile: some pixels need a second chance
 const uint OIT_HAS_LISTS = 0x40000000u;  // tile: some pixels are left for Sort and Composite
 
+const uint OIT_PAGE_SIZE = 4u; // nodes
+
 uniform int oitCapacity; // nodes, the unused one included
 uniform ivec2 oitOrigin; // framebuffer pixel of oitHeads' texel (0, 0)
 uniform ivec2 oitCorner; // lower left pixel of the rectangle that is being rendered
+uniform ivec2 oitSize;   // of that rectangle
 
 // Tiles are aligned to multiples of their size in the framebuffer, as rasterizers have them.
 const int OIT_TILE_SIZE = 16;

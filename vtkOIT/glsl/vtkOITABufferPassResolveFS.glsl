@@ -51,23 +51,33 @@
 #ifdef OIT_SECOND_CHANCE
 flat in int oitNetworkSize; // of the first try
 #else
-// One pixel of four notes the largest number of fragments: atomics are slow on a CPU.
-void oitNote(uint count, bool isLeft)
+// Notes the pixel's fragments in its tile: `fragments` of them, or more when it is left. Of four
+// pixels one does it for all, as atomics are slow on a CPU; on the diagonal each for itself, because
+// the tile's two triangles see only their own pixels of the four.
+void oitNote(uint fragments, bool isLeft)
 {
-  float value = isLeft ? 64.0 : float(count); // above all networks
-  ivec2 odd = ivec2(gl_FragCoord.xy) & 1;
-  float dx = dFdx(value);
-  value = max(value, odd.x == 0 ? value + dx : value - dx);
-  float dy = dFdy(value);
-  value = max(value, odd.y == 0 ? value + dy : value - dy);
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  ivec2 inside = at - oitCorner;
+  bool isInside = all(greaterThanEqual(inside, ivec2(0))) && all(lessThan(inside, oitSize));
+  float most = !isInside ? 0.0 : isLeft ? 64.0 : float(fragments); // 64: above all networks
+  float sum = isInside ? float(fragments) : 0.0;
+  ivec2 odd = at & 1;
+  float mostOfPair = max(most, odd.x == 0 ? most + dFdx(most) : most - dFdx(most));
+  float mostOfFour = max(
+    mostOfPair, odd.y == 0 ? mostOfPair + dFdy(mostOfPair) : mostOfPair - dFdy(mostOfPair));
+  float sumOfPair = 2.0 * sum + (odd.x == 0 ? dFdx(sum) : -dFdx(sum));
+  float sumOfFour = 2.0 * sumOfPair + (odd.y == 0 ? dFdy(sumOfPair) : -dFdy(sumOfPair));
+  ivec2 block = at % OIT_TILE_SIZE / 2;
+  bool isOnDiagonal = block.x == block.y;
+  most = isOnDiagonal ? most : mostOfFour;
+  sum = isOnDiagonal ? sum : sumOfFour;
   // At the lower and left edge of the rectangle, the even neighbour may be outside.
-  bvec2 isEdge = equal(ivec2(gl_FragCoord.xy), oitCorner);
-  // On the diagonal, the tile's two triangles see only their own pixels of the four.
-  ivec2 place = ivec2(gl_FragCoord.xy) % OIT_TILE_SIZE;
-  bool isBesideDiagonal = place.x != place.y && place.x / 2 == place.y / 2;
-  if (value > 0.0 && (isBesideDiagonal || ((odd.x == 0 || isEdge.x) && (odd.y == 0 || isEdge.y))))
+  bvec2 isEdge = equal(inside, ivec2(0));
+  if (most > 0.0 && (isOnDiagonal || ((odd.x == 0 || isEdge.x) && (odd.y == 0 || isEdge.y))))
   {
-    atomicMax(oitTiles[oitFindTile()].x, value < 64.0 ? uint(value) : OIT_TRY_AGAIN);
+    int tile = oitFindTile();
+    atomicMax(oitTiles[tile].Complexity, most < 64.0 ? uint(most) : OIT_TRY_AGAIN);
+    atomicAdd(oitTiles[tile].Fragments, uint(sum));
   }
 }
 #endif
@@ -88,15 +98,20 @@ void main()
   {
     node = oitLoadNext(OIT_WORD(node));
   }
-  atomicMax(oitTiles[oitFindTile()].y, count);
+  atomicMax(oitTiles[oitFindTile()].Marked, count);
+  bool wasIncomplete = count > uint(oitNetworkSize);
+  if (wasIncomplete)
+  {
+    atomicAdd(oitTiles[oitFindTile()].Fragments, count);
+  }
   if (isLeft)
   {
     imageStore(oitHeads, pixel, uvec4(head | OIT_LEFT));
-    atomicOr(oitTiles[oitFindTile()].x, OIT_HAS_LISTS);
+    atomicOr(oitTiles[oitFindTile()].Complexity, OIT_HAS_LISTS);
   }
-  bool isMine = (isTied || count > uint(oitNetworkSize)) && !isLeft;
+  bool isMine = (isTied || wasIncomplete) && !isLeft;
 #else
-  oitNote(count, isLeft);
+  oitNote(node == OIT_END ? count : 0u, isLeft);
   bool isMine = head != OIT_END && !isLeft;
 #endif
   if (!isMine)

@@ -6,7 +6,7 @@
 // grid. llvmpipe runs every branch of a fragment shader for every pixel, so a shader that only some
 // pixels need must not be started elsewhere.
 
-uniform usamplerBuffer oitTileTexels;     // OITCounters as a texture: four words, then two a tile
+uniform usamplerBuffer oitTileTexels;     // OITCounters as a texture: four words, then three a tile
 uniform usamplerBuffer oitExpectedTexels; // depth complexity that is expected of each tile
 uniform ivec2 oitTileDimensions;          // columns, rows
 uniform ivec2 oitTileClass; // smallest and largest expected depth complexity; or -1 and the mark
@@ -32,7 +32,7 @@ void main()
   bool isMine = oitTileClass.x <= expected && expected <= oitTileClass.y;
   if (oitTileClass.x < 0)
   {
-    isMine = (texelFetch(oitTileTexels, 4 + 2 * tile).x & uint(oitTileClass.y)) != 0u;
+    isMine = (texelFetch(oitTileTexels, 4 + 3 * tile).x & uint(oitTileClass.y)) != 0u;
   }
   bool hasOverflown = texelFetch(oitTileTexels, 1).x != 0u; // the frame will be rendered again
   if (!isMine || hasOverflown)
