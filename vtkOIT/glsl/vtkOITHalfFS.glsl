@@ -3,9 +3,15 @@
 //
 // Colour to and from half floats, rounded to nearest. The built-in packHalf2x16 costs three times
 // as much on llvmpipe, and truncates there. Values are clamped to [0, 65504]; 2^-14 is the smallest
-// normal half, below it the bits count units of 2^-24.
+// normal half, below it the bits count units of 2^-24. Float colours are kept as they are, but for
+// what is infinite or not a number.
 #ifdef OIT_FLOAT_COLOR
-uvec4 oitPack(vec4 color) { return floatBitsToUint(color); }
+uvec4 oitPack(vec4 color)
+{
+  const float largest = 1e30; // so that sums stay finite
+  color = mix(color, vec4(0.0), isnan(color));
+  return floatBitsToUint(clamp(color, vec4(-largest), vec4(largest)));
+}
 vec4 oitUnpack(uvec4 bits) { return uintBitsToFloat(bits); }
 #else
 uvec2 oitPack(vec4 color)
