@@ -14,6 +14,7 @@ int TestABufferOverflow(int argc, char* argv[])
   return RunTest(argc, argv, Setups::Storages,
     [](TestReport& report, const Setup& setup)
     {
+      report.SetStressTest(29);
       {
         TestRig rig(setup, 96, 64);
         CheckDeepStack(report, rig, setup, "300 layers", 300);

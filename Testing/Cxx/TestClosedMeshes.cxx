@@ -156,6 +156,7 @@ int TestClosedMeshes(int argc, char* argv[])
   return RunTest(argc, argv, Setups::All,
     [&](TestReport& report, const Setup& setup)
     {
+      report.SetStressTest(23);
       TestRig rig(setup, Width, Height);
       auto answer = answers.begin();
       for (const Scene& scene : scenes)

@@ -150,9 +150,13 @@ int TestCoincidentLayers(int argc, char* argv[])
     [](TestReport& report, const Setup& setup)
     {
       TestRig rig(setup, 20, 16);
+      report.SetStressTest(5);
       CheckEqualColors(report, rig, setup);
+      report.SetStressTest(6);
       CheckDifferentColors(report, rig, setup);
+      report.SetStressTest(7);
       CheckDuplicateMesh(report, rig, setup);
+      report.SetStressTest(9);
       CheckEqualWindowDepths(report, rig, setup);
     });
 }

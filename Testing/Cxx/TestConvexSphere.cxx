@@ -20,6 +20,7 @@ int TestConvexSphere(int argc, char* argv[])
   return RunTest(argc, argv, Setups::All,
     [](TestReport& report, const Setup& setup)
     {
+      report.SetStressTest(22);
       TestRig rig(setup, 97, 83);
       vtkNew<vtkSphereSource> sphere;
       sphere->SetRadius(0.8);

@@ -62,6 +62,7 @@ int TestCrossingQuads(int argc, char* argv[])
   return RunTest(argc, argv, Setups::Storages,
     [](TestReport& report, const Setup& setup)
     {
+      report.SetStressTest(21);
       TestRig rig(setup, Width, Height);
       CheckCrossing(report, rig, setup, 32.0); // between two columns
       CheckCrossing(report, rig, setup, 20.0);

@@ -61,6 +61,7 @@ int TestDepthLimits(int argc, char* argv[])
   return RunTest(argc, argv, Setups::Storages,
     [](TestReport& report, const Setup& setup)
     {
+      report.SetStressTest(26);
       TestRig rig(setup, Width, Height);
       CheckClippedSheet(report, rig, setup, -0.25, 0.25);
       CheckClippedSheet(report, rig, setup, 0.25, -0.25);

@@ -54,6 +54,7 @@ int TestDepthResolution(int argc, char* argv[])
     [](TestReport& report, const Setup& setup)
     {
       TestRig rig(setup, 8, 6);
+      report.SetStressTest(8);
       for (const int ulps : { 1, 2, 4, 8 })
       {
         CheckSpacing(report, rig, setup, 0.75, std::ldexp(ulps, -24));

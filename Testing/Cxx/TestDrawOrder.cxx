@@ -77,21 +77,25 @@ int TestDrawOrder(int argc, char* argv[])
     {
       std::vector<Piece> pieces = MakeScene();
       TestRig rig(setup, Width, Height);
+      report.SetStressTest(3);
       const Image first = RenderPieces(rig, pieces);
 
       report.Compare("against the reference", first, Reference(pieces, rig.GetBackground()),
         ReferenceCompositor::RoundingBoundOfAnyStack(40, setup.FragmentStorage));
 
+      report.SetStressTest(4);
       for (int frame = 0; frame < 20; ++frame)
       {
         report.CompareBits("frame " + std::to_string(frame), rig.Render(), first);
       }
+      report.SetStressTest(3);
       Random random(11);
       for (int order = 0; order < 8; ++order)
       {
         random.Shuffle(pieces);
         report.CompareBits("draw order " + std::to_string(order), RenderPieces(rig, pieces), first);
       }
+      report.SetStressTest(34);
       rig.Pass->SetMaximumBufferSize(1 << 20);
       report.CompareBits("with 1 MiB of storage", rig.Render(), first);
       rig.Pass->SetMaximumBufferSize(0);

@@ -101,6 +101,7 @@ int TestImpostors(int argc, char* argv[])
   return RunTest(argc, argv, Setups::All,
     [](TestReport& report, const Setup& setup)
     {
+      report.SetStressTest(25);
       TestRig rig(setup, 96, 64);
       using AddProp = vtkActor* (*)(TestRig&);
       const std::pair<std::string, AddProp> props[] = { { "spheres", AddSpheres },

@@ -65,6 +65,7 @@ int TestLayerStacks(int argc, char* argv[])
         counts = { 1, 2, 3, 7, 8, 9, 15, 16, 17, 31, 32, 33, 63, 64, 65, 127, 255, 256, 257, 1000,
           4096 };
       }
+      report.SetStressTest(1);
       for (const int count : counts)
       {
         if (count > setup.LargestStack)
@@ -76,6 +77,7 @@ int TestLayerStacks(int argc, char* argv[])
           CheckEqualLayers(report, rig, setup, count, opacity);
         }
       }
+      report.SetStressTest(2);
       for (const int count : { 2, 5, 16, 40 })
       {
         CheckRandomLayers(report, rig, setup, count);

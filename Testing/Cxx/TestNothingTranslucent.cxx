@@ -118,6 +118,7 @@ int TestNothingTranslucent(int argc, char* argv[])
   return RunTest(argc, argv, Setups::All,
     [](TestReport& report, const Setup& setup)
     {
+      report.SetStressTest(35);
       if (setup.FragmentStorage == Storage::Half) // what is not stored has no format
       {
         for (const Scene& scene : Scenes)

@@ -115,9 +115,13 @@ int TestOpacityExtremes(int argc, char* argv[])
     [](TestReport& report, const Setup& setup)
     {
       TestRig rig(setup, 8, 6);
+      report.SetStressTest(12);
       CheckInvisibleLayers(report, rig);
+      report.SetStressTest(13);
       CheckOpaqueLayer(report, rig, setup);
+      report.SetStressTest(0);
       CheckRounding(report, rig, setup);
+      report.SetStressTest(14);
       CheckFaintLayers(report, rig, setup);
     });
 }

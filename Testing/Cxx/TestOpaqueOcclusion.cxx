@@ -153,6 +153,7 @@ int TestOpaqueOcclusion(int argc, char* argv[])
   return RunTest(argc, argv, Setups::All,
     [](TestReport& report, const Setup& setup)
     {
+      report.SetStressTest(10);
       TestRig rig(setup, 64, 48);
       CheckIntersections(report, rig, setup);
       CheckCoplanar(report, rig, setup);

@@ -231,6 +231,7 @@ int TestPeelingStatistics(int argc, char* argv[])
       }
       CheckLayersPerPass(report, rig, setup);
       CheckSingleShot(report, rig, setup);
+      report.SetStressTest(30);
       CheckLimits(report, rig, setup);
     });
 }

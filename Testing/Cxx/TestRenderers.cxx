@@ -97,6 +97,7 @@ int TestRenderers(int argc, char* argv[])
   return RunTest(argc, argv, Setups::All,
     [](TestReport& report, const Setup& setup)
     {
+      report.SetStressTest(28);
       CheckRenderers(report, setup, false);
       CheckRenderers(report, setup, true);
     });

@@ -12,6 +12,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace vtkOITTest
 {
@@ -24,6 +25,23 @@ public:
   /// Prefix of every line, for example the method and the way it is used.
   void SetContext(const std::string& context) { this->Context = context; }
 
+  /// The number in docs/stress-tests.md that the next comparisons belong to; 0 for none.
+  void SetStressTest(int number) { this->StressTest = number; }
+
+  /// From now on nothing fails. Comparisons, with their tolerances widened by this, are kept as
+  /// results; conditions are not looked at.
+  void Observe(const Tolerance& added);
+
+  /// A comparison of an observing report.
+  struct Result
+  {
+    int StressTest = 0;
+    std::string What;
+    Tolerance Error;   // the largest differences, infinite where a number is not finite
+    Tolerance Allowed; // what was added included
+  };
+  const std::vector<Result>& GetResults() const { return this->Results; }
+
   /// Records a condition; prints the message only when it does not hold.
   bool Check(bool condition, const std::string& message);
 
@@ -34,16 +52,20 @@ public:
   bool Compare(
     const std::string& what, const Image& image, const Image& expected, const Tolerance& tolerance);
 
-  /// Every pixel has the same bits.
+  /// Every pixel has the same bits; when observing, just no difference beyond what is added.
   bool CompareBits(const std::string& what, const Image& image, const Image& expected);
 
-  /// 0 when at least one thing was checked and all of it held.
+  /// 0 when at least one thing was checked and all of it held; when observing, the former.
   int GetExitStatus() const;
 
 private:
   std::string Context;
   int NumberOfChecks = 0;
   int NumberOfFailures = 0;
+  int StressTest = 0;
+  bool IsObserving = false;
+  Tolerance Added;
+  std::vector<Result> Results;
 };
 }
 

@@ -275,11 +275,29 @@ void TestRig::ReadTarget(vtkObject*, unsigned long, void*)
 //------------------------------------------------------------------------------
 Image TestRig::Render()
 {
+  if (this->TheSetup.IsContender)
+  {
+    return this->RenderWindowWithDepth();
+  }
   this->UseTarget = true;
   this->Color = Image();
   this->Window->Render();
   this->UseTarget = false;
   return this->Color;
+}
+
+//------------------------------------------------------------------------------
+Image TestRig::RenderWindowWithDepth()
+{
+  const Image image = this->RenderWindow();
+  std::vector<float> depth(image.Pixels.size());
+  this->Window->GetZbufferData(0, 0, this->Width - 1, this->Height - 1, depth.data());
+  this->Depth = Image{ this->Width, this->Height, {} };
+  for (const float value : depth)
+  {
+    this->Depth.Pixels.emplace_back(value);
+  }
+  return image;
 }
 
 //------------------------------------------------------------------------------

@@ -99,7 +99,8 @@ public:
   vtkActor* AddEqualLayers(const std::vector<float>& depths, const glm::vec4& color);
   void RemoveProps();
 
-  /// Renders a frame into a framebuffer of SetTargetFormat() and reads it back.
+  /// Renders a frame into a framebuffer of SetTargetFormat() and reads it back. Contenders render
+  /// into the window instead, as their users have it: float framebuffers are not theirs.
   Image Render();
   /// The depth of each pixel after Render(), in all channels.
   const Image& GetDepth() const { return this->Depth; }
@@ -113,6 +114,7 @@ private:
   vtkActor* AddQuadOf(const std::vector<glm::dvec3>& corners, const glm::vec4& color);
   void BindTarget(vtkObject*, unsigned long, void*);
   void ReadTarget(vtkObject*, unsigned long, void*);
+  Image RenderWindowWithDepth();
 
   Setup TheSetup;
   int Width;

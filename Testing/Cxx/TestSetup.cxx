@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestSetup.h"
 
+#include "Contenders.h"
+
 #include "vtkCameraPass.h"
 #include "vtkLightsPass.h"
 #include "vtkNew.h"
@@ -120,6 +122,10 @@ std::string Setup::Describe() const
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkOITPass> Setup::CreatePass() const
 {
+  if (this->IsContender)
+  {
+    return CreateContenderPass();
+  }
   auto pass = vtkSmartPointer<vtkOITPass>::Take(vtkOITPassFactory::CreatePass(this->Method));
   if (pass)
   {
@@ -140,6 +146,11 @@ vtkSmartPointer<vtkOITPass> Setup::CreatePass() const
 //------------------------------------------------------------------------------
 void Setup::Attach(vtkRenderer* renderer, vtkOITPass* pass) const
 {
+  if (this->IsContender)
+  {
+    AttachContender(this->Method, renderer, pass);
+    return;
+  }
   switch (this->UseMode)
   {
     case Use::Installed:
@@ -157,6 +168,11 @@ void Setup::Attach(vtkRenderer* renderer, vtkOITPass* pass) const
 //------------------------------------------------------------------------------
 void Setup::Detach(vtkRenderer* renderer) const
 {
+  if (this->IsContender)
+  {
+    DetachContender(renderer);
+    return;
+  }
   if (this->UseMode == Use::Installed)
   {
     vtkOITRendererHook::Uninstall(renderer);
@@ -177,6 +193,10 @@ int RunTest(
   // VTK 9.6 passes an empty argument to tests; options of vtk_add_test_cxx start with a dash.
   const bool named = argc > 1 && argv[1][0] != '\0' && argv[1][0] != '-';
   setup.Method = named ? argv[1] : "abuffer";
+  if (IsContender(setup.Method))
+  {
+    return RunContender(argc, argv, body);
+  }
   if (!setup.CreatePass())
   {
     std::printf("FAILED: no method is called %s\n", setup.Method.c_str());

@@ -49,6 +49,7 @@ struct Setup
   bool HasStorage = true;              // in this tier, so the A-buffer can take over
   bool HasFetch = true;                // in this tier
   int LargestStack = 4096;             // layers that the method peels in bearable time
+  bool IsContender = false;            // one of VTK's own, see Contenders.h
 
   std::string Describe() const;
 
@@ -72,7 +73,8 @@ enum class Setups
 
 /// Runs the body for each setup of the method named on the command line (default: abuffer).
 /// Returns the exit status: 125, with a line that names what is missing, when the method does not
-/// run in this context.
+/// run in this context. For a contender nothing is asserted; with `--results FILE` the comparisons
+/// are appended to a file.
 int RunTest(int argc, char* argv[], Setups setups,
   const std::function<void(TestReport&, const Setup&)>& body);
 }

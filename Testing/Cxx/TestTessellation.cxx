@@ -52,6 +52,7 @@ int TestTessellation(int argc, char* argv[])
   return RunTest(argc, argv, Setups::Storages,
     [](TestReport& report, const Setup& setup)
     {
+      report.SetStressTest(20);
       TestRig rig(setup, 64, 48);
       // Edges on borders of pixels, so that no pixel centre lies on one.
       const PixelRectangle rectangle{ 5.0, 7.0, 59.0, 41.0 };

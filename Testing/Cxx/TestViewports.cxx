@@ -103,6 +103,7 @@ int TestViewports(int argc, char* argv[])
   return RunTest(argc, argv, Setups::All,
     [](TestReport& report, const Setup& setup)
     {
+      report.SetStressTest(28);
       CheckOddSizes(report, setup);
       CheckOffset(report, setup);
     });
