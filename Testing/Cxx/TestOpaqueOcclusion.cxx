@@ -5,6 +5,7 @@
 // coplanar, with polygon offsets, and for lines and points.
 
 #include "SingleLayer.h"
+#include "TestRandom.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
@@ -58,6 +59,38 @@ void CheckCoplanar(TestReport& report, TestRig& rig, const Setup& setup)
   rig.AddRamp(0.2, 0.8, Blue);
   CheckSingleLayer(
     report, rig, setup, "coplanar ramps", rig.AddRamp(0.2, 0.8, Orange), Orange.a, 20, 0);
+}
+
+/// An opaque quad in the middle of a stack of more layers than one peel takes: those behind it do
+/// not show, the coplanar one does.
+void CheckMiddleOfStack(TestReport& report, TestRig& rig, const Setup& setup, int count)
+{
+  std::vector<Layer> layers = Random(count).Layers(count);
+  layers.push_back({ 0.5f, Orange });
+  std::vector<Layer> visible;
+  for (Layer& layer : layers)
+  {
+    layer.Color.a *= 0.3f;
+    if (layer.Depth <= 0.5f)
+    {
+      visible.push_back(layer);
+    }
+  }
+  const PixelRectangle opaque{ 0.0, 0.0, 30.0, 48.0 };
+  rig.RemoveProps();
+  rig.AddQuad({ 0.5f, Blue }, opaque);
+  rig.AddStack(layers);
+  const glm::dvec4 background = rig.GetBackground();
+  const glm::dvec4 left = ReferenceCompositor::Composite(visible, glm::dvec4(Blue));
+  const glm::dvec4 right = ReferenceCompositor::Composite(layers, background);
+  report.Compare(
+    "opaque in the middle of " + std::to_string(count) + " layers", rig.Render(),
+    [&](int x, int y) { return opaque.Contains(x, y) ? left : right; },
+    ReferenceCompositor::RoundingBound(layers, background, setup.FragmentStorage));
+  report.Check(rig.Pass->GetNumberOfFragments() < 0 ||
+      rig.Pass->GetNumberOfFragments() ==
+        vtkTypeInt64(visible.size()) * 30 * 48 + vtkTypeInt64(layers.size()) * 34 * 48,
+    "opaque in the middle: " + std::to_string(rig.Pass->GetNumberOfFragments()) + " fragments");
 }
 
 /// Offsets, which VTK's mappers write to gl_FragDepth, decide between coplanar faces.
@@ -158,6 +191,13 @@ int TestOpaqueOcclusion(int argc, char* argv[])
       CheckIntersections(report, rig, setup);
       CheckCoplanar(report, rig, setup);
       CheckPolygonOffset(report, rig, setup);
+      if (setup.Promise == Expectation::Exact)
+      {
+        for (const int count : { 3, 12, 40 })
+        {
+          CheckMiddleOfStack(report, rig, setup, count);
+        }
+      }
       CheckLinesAndPoints(report, rig, setup);
       CheckWindows(report, setup);
     });

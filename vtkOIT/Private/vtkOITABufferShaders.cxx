@@ -13,6 +13,7 @@
 #include "vtkOITABufferPassResolveFS.h"
 #include "vtkOITABufferPassSortFS.h"
 #include "vtkOITABufferPassTileVS.h"
+#include "vtkOITDepthTestFS.h"
 #include "vtkOITHalfFS.h"
 #include "vtkOITOutputFS.h"
 
@@ -77,6 +78,7 @@ bool vtkOITABufferShaders::WrapGather(std::string& fragmentShader) const
   }
   std::string stage = std::string(vtkOITABufferPassNodeFS) + vtkOITABufferPassGatherFS;
   vtkOITReplace(stage, "//VTK::OIT::Half", vtkOITHalfFS);
+  vtkOITReplace(stage, "//VTK::OIT::DepthTest", vtkOITDepthTestFS);
   return vtkOITWrapFragmentShader(fragmentShader, header, stage);
 }
 

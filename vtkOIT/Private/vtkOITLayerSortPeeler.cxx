@@ -5,6 +5,7 @@
 #include "vtkOITFrame.h"
 #include "vtkOITShaderText.h"
 
+#include "vtkOITDepthTestFS.h"
 #include "vtkOITFragmentFS.h"
 #include "vtkOITHalfFS.h"
 #include "vtkOITMultiLayerPeelingPassGatherFS.h"
@@ -201,6 +202,7 @@ bool vtkOITLayerSortPeeler::WrapGather(std::string& fragmentShader) const
   const int slots = this->GetNumberOfSlots();
   std::string stage = std::string(vtkOITFragmentFS) + vtkOITHalfFS +
     vtkOITMultiLayerPeelingPassSlotsFS + vtkOITMultiLayerPeelingPassGatherFS;
+  vtkOITReplace(stage, "//VTK::OIT::DepthTest", vtkOITDepthTestFS);
   vtkOITReplace(stage, "//VTK::OIT::SlotBuffers", Repeat("OIT_SLOT_BUFFER", slots));
   vtkOITReplace(stage, "//VTK::OIT::LoadSlots", Repeat("OIT_LOAD_SLOT", slots));
   vtkOITReplace(stage, "//VTK::OIT::StoreSlots", Repeat("OIT_STORE_SLOT", slots));
@@ -212,6 +214,7 @@ void vtkOITLayerSortPeeler::SetUniforms(
   vtkShaderProgram* program, vtkProp* prop, const vtkOITPeelContext& context)
 {
   context.State.BindFor(program);
+  context.State.SetDepthTest(program);
   program->SetUniformi("oitRest", this->IsRest ? 1 : 0);
   const int next = static_cast<int>(this->DrawNumbers.size());
   const auto number = this->DrawNumbers.emplace(std::make_pair(prop, this->Draws[prop]++), next);

@@ -275,6 +275,21 @@ void vtkOITPeelState::BindFor(vtkShaderProgram* program) const
 }
 
 //------------------------------------------------------------------------------
+void vtkOITPeelState::SetDepthTest(vtkShaderProgram* program) const
+{
+  const vtkOITTarget& target = this->Frame->Target;
+  const bool testsDepth = this->HasMask && this->TestsDepth && target.DepthBits > 0;
+  if (testsDepth)
+  {
+    this->OpaqueDepth.Bind(this->Frame->GLState, OpaqueUnit);
+  }
+  program->SetUniformi("oitTestsDepth", testsDepth ? 1 : 0);
+  program->SetUniformi("oitOpaqueDepth", OpaqueUnit);
+  program->SetUniformi(
+    "oitDepthBits", !target.FloatDepth && target.DepthBits <= 24 ? target.DepthBits : 0);
+}
+
+//------------------------------------------------------------------------------
 void vtkOITPeelState::Composite()
 {
   vtkOpenGLState* state = this->Frame->GLState;
@@ -309,6 +324,7 @@ void vtkOITPeelState::Composite()
 vtkOITPixelStatistics::Result vtkOITPeelState::Reduce()
 {
   vtkOITTextureArray::Unbind(this->Frame->GLState, GatheredUnit);
+  this->OpaqueDepth.Unbind(this->Frame->GLState, OpaqueUnit);
   return this->Statistics.Reduce(*this->Frame, this->Arrays[this->Current],
     { this->Band.X - this->Storage.X, this->Band.Y - this->Storage.Y, this->Band.Width,
       this->Band.Height });

@@ -46,6 +46,7 @@ public:
   /// The texture units used, from 0; mappers count theirs up from 0 and GL has at least 16.
   static constexpr int StateUnit = 13;
   static constexpr int GatheredUnit = 14;
+  static constexpr int OpaqueUnit = 15;
 
   /// Whether shaders of this frame read and write the state in place, as colour buffers.
   static bool CanWorkInPlace(const vtkOITFrame& frame);
@@ -82,6 +83,11 @@ public:
 
   /// Binds the state to StateUnit and sets the uniform oitState.
   void BindFor(vtkShaderProgram* program) const;
+
+  /// For Gather stages that test against opaque geometry themselves once there is a Mask, because
+  /// they do not know the farthest fragment in front of it: sets the uniforms oitTestsDepth, which
+  /// is 0 as long as the hardware does it, oitOpaqueDepth and oitDepthBits.
+  void SetDepthTest(vtkShaderProgram* program) const;
 
   int GetWidth() const { return this->Storage.Width; }
   int GetHeight() const { return this->Storage.Height; }

@@ -24,21 +24,7 @@ uniform sampler2DMS oitOpaqueDepth; // of the pixels from oitOrigin on
 #else
 uniform sampler2D oitOpaqueDepth;
 #endif
-uniform int oitDepthBits; // of a fixed-point depth buffer of at most 24 bits, otherwise 0
-
-// As the depth test GL_LEQUAL sees it: both sides in the bits of the depth buffer.
-bool oitPassesDepthTest(float depth, float opaqueDepth)
-{
-  if (oitDepthBits == 0)
-  {
-    return depth <= opaqueDepth;
-  }
-  float scale = float((1 << oitDepthBits) - 1);
-  // Products of 2^23 and more are integers already; adding 0.5 would round some of them up.
-  vec2 product = vec2(depth, opaqueDepth) * scale;
-  vec2 rounded = mix(floor(product + 0.5), product, greaterThanEqual(product, vec2(8388608.0)));
-  return rounded.x <= rounded.y;
-}
+//VTK::OIT::DepthTest
 #endif
 
 #ifdef OIT_WRITES_DEPTH

@@ -8,6 +8,10 @@ uniform sampler2DArray oitState;
 uniform int oitRest;       // not 0: all that is left counts as one group
 uniform int oitDrawNumber; // the same for a draw in each peel
 
+uniform sampler2D oitOpaqueDepth;
+uniform int oitTestsDepth; // not 0: the hardware tests against a Mask, not against opaque geometry
+//VTK::OIT::DepthTest
+
 //VTK::OIT::SlotBuffers
 
 uvec4 slots[OIT_SLOTS];
@@ -84,6 +88,11 @@ void main()
   vec4 color = oitGetColor();
   vec4 bounds = texelFetch(oitState, ivec3(gl_FragCoord.xy, 2), 0);
   bool isLeft = color.a > 0.0 && bounds.x <= bounds.y && depth >= bounds.x;
+  if (oitTestsDepth != 0)
+  {
+    float opaqueDepth = texelFetch(oitOpaqueDepth, ivec2(gl_FragCoord.xy), 0).r;
+    isLeft = isLeft && oitPassesDepthTest(depth, opaqueDepth);
+  }
 #ifdef OIT_PAIRS
   isLeft = isLeft && depth != bounds.x;
 #else
