@@ -11,7 +11,7 @@
  *     control       vtkOITABufferPass, to test the tests: all of its comparisons must hold
  *
  * All of them draw into an 8-bit window without multisampling, with alpha planes. So the tolerance
- * of each comparison is widened by TestRig::WindowTolerance().
+ * of each comparison is widened by three steps of 255: rounding alone shall not be called wrong.
  */
 
 #ifndef Contenders_h

@@ -2,19 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // A store larger than one storage block may be (128 MiB on llvmpipe): still one geometry pass and
-// the exact picture.
+// the exact picture. For larger ones, with time and memory, give width, height and layers:
+//
+//     vtkOITCxxTests TestABufferLargeStore abuffer 2048 2048 40     2.7 GB of half floats
 
 #include "DeepStack.h"
+
+#include <cstdlib>
 
 using namespace vtkOITTest;
 
 int TestABufferLargeStore(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [](TestReport& report, const Setup& setup)
+    [&](TestReport& report, const Setup& setup)
     {
-      TestRig rig(setup, 200, 150);
-      const int layers = setup.FragmentStorage == Storage::Half ? 300 : 150;
+      // VTK gives tests options, too, but they start with a dash.
+      const bool isGiven = argc > 4 && std::atoi(argv[4]) > 0;
+      TestRig rig(setup, isGiven ? std::atoi(argv[2]) : 200, isGiven ? std::atoi(argv[3]) : 150);
+      const int layers = isGiven                 ? std::atoi(argv[4])
+        : setup.FragmentStorage == Storage::Half ? 300
+                                                 : 150;
       CheckDeepStack(report, rig, setup, std::to_string(layers) + " layers", layers, 2);
       report.Check(rig.Pass->GetBufferSizeInBytes() > 128 << 20,
         "the pass holds only " + std::to_string(rig.Pass->GetBufferSizeInBytes()) +

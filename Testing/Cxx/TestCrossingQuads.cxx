@@ -6,6 +6,8 @@
 
 #include "TestRig.h"
 
+#include <glm/geometric.hpp>
+
 #include <cmath>
 
 using namespace vtkOITTest;
@@ -43,15 +45,13 @@ void CheckCrossing(TestReport& report, TestRig& rig, const Setup& setup, double 
       }
       // On the line rounding decides: one order, the other, or equal depths. Alpha is known.
       const glm::dvec4 pixel(image.At(x, y));
-      for (const glm::dvec4& candidate : { left, right, merged })
+      glm::dvec4 nearest = merged;
+      for (const glm::dvec4& candidate : { left, right })
       {
-        if (std::abs(pixel.r - candidate.r) <= bound.Color &&
-          std::abs(pixel.g - candidate.g) <= bound.Color)
-        {
-          return candidate;
-        }
+        nearest =
+          glm::distance(pixel, candidate) < glm::distance(pixel, nearest) ? candidate : nearest;
       }
-      return merged;
+      return nearest;
     },
     bound);
 }

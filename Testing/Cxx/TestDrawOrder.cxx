@@ -77,7 +77,7 @@ int TestDrawOrder(int argc, char* argv[])
     {
       std::vector<Piece> pieces = MakeScene();
       TestRig rig(setup, Width, Height);
-      report.SetStressTest(3);
+      report.SetStressTest(2);
       const Image first = RenderPieces(rig, pieces);
 
       report.Compare("against the reference", first, Reference(pieces, rig.GetBackground()),
