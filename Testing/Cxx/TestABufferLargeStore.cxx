@@ -4,7 +4,7 @@
 // A store larger than one storage block may be (128 MiB on llvmpipe): still one geometry pass and
 // the exact picture. For larger ones, with time and memory, give width, height and layers:
 //
-//     vtkOITCxxTests TestABufferLargeStore abuffer 2048 2048 40     2.7 GB of half floats
+//     vtkOITCxxTests TestABufferLargeStore abuffer 2304 2304 30     2.5 GB with half floats
 
 #include "DeepStack.h"
 
