@@ -21,7 +21,8 @@ constexpr int Height = 8;
 const float NotANumber = std::numeric_limits<float>::quiet_NaN();
 const float Infinity = std::numeric_limits<float>::infinity();
 
-/// What a method keeps of the layers: opacities in [0, 1], half floats in [0, 65504].
+/// What a method keeps of the layers: opacities in [0, 1], half floats in [0, 65504]. Without
+/// storage `auto` peels, with colours as they are.
 std::vector<Layer> Clamp(const std::vector<Layer>& layers, const Setup& setup)
 {
   std::vector<Layer> kept;
@@ -30,7 +31,7 @@ std::vector<Layer> Clamp(const std::vector<Layer>& layers, const Setup& setup)
     if (layer.Color.a > 0.0f) // not a number: leaves no trace
     {
       layer.Color.a = std::min(layer.Color.a, 1.0f);
-      if (setup.FragmentStorage == Storage::Half)
+      if (setup.FragmentStorage == Storage::Half && setup.HasStorage)
       {
         layer.Color = glm::clamp(layer.Color, 0.0f, 65504.0f);
       }
