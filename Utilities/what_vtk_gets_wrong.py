@@ -139,11 +139,11 @@ The scenes are those of [the stress suite](stress-tests.md), with the same answe
 - `vtk-peel`: `vtkDepthPeelingPass`, with as many peels as it asks for.
 - `control`: vtkOIT's `vtkOITABufferPass` in the same place, to show that the comparison itself is right.
 
-All draw into a window of 8 bits a channel, without multisampling, over a background of alpha 0.4. A comparison is wrong when a channel of
-some pixel is off by more than the test allows and three steps of 255 on top, so that rounding alone is not called wrong. Cells give the
-largest error of a colour channel and of alpha, in [0, 1], and how many of the comparisons are wrong. Coincident faces of different colours
-may be in any order here. Left out are float framebuffers and what needs them (16 to 19, 33), rules and properties of vtkOIT's own (15, 29,
-30, 34).
+All draw into a window of 8 bits a channel, over a background of alpha 0.4, without multisampling unless a comparison names the
+samples. A comparison is wrong when a channel of some pixel is off by more than the test allows and three steps of 255 on top, so that
+rounding alone is not called wrong. Cells give the largest error of a colour channel and of alpha, in [0, 1], and how many of the
+comparisons are wrong. Coincident faces of different colours may be in any order here. Left out are float framebuffers and what needs
+them (16 to 19, 33), and rules and properties of vtkOIT's own (15, 29, 30, 34).
 
 """
 
