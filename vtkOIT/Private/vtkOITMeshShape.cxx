@@ -22,6 +22,9 @@ namespace
 {
 constexpr int None = -1;
 
+/// Triangles whose planes are compared with all corners.
+constexpr int NumberOfPlanes = 200;
+
 /// Triangles as half-edges: half-edge 3 t + i goes from corner i of triangle t to the next one.
 class Mesh
 {
@@ -43,6 +46,7 @@ private:
   bool IsConnected() const;
   bool HasOneFanAtEachVertex() const;
   bool HasVertexAnglesOfConvexBody() const;
+  bool IsBehindItsPlanes(bool isOutward) const;
 
   std::vector<glm::dvec3> Points; // each once
   std::vector<int> Corners;       // where each half-edge starts
@@ -200,26 +204,62 @@ bool Mesh::HasVertexAnglesOfConvexBody() const
 }
 
 //------------------------------------------------------------------------------
+// Each edge of a fine mesh can be straight within the tolerance and the whole not be convex.
+bool Mesh::IsBehindItsPlanes(bool isOutward) const
+{
+  const int triangles = this->GetNumberOfEdges() / 3;
+  const int step = std::max(1, triangles / NumberOfPlanes);
+  for (int e = 0; e < this->GetNumberOfEdges(); e += 3 * step)
+  {
+    const glm::dvec3 normal = this->GetNormal(e);
+    const double length = glm::length(normal);
+    double longest = 0.0;
+    for (const int side : { e, e + 1, e + 2 })
+    {
+      longest = std::max(longest, glm::distance(this->From(side), this->From(Next(side))));
+    }
+    const glm::dvec3 outward = (isOutward ? normal : -normal) / length;
+    const double slack = this->Tolerance * longest / length; // of the normal's direction
+    for (const glm::dvec3& point : this->Points)
+    {
+      const glm::dvec3 reach = point - this->From(e);
+      if (glm::dot(reach, outward) > this->Tolerance + slack * glm::length(reach))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 vtkOITMeshShape Mesh::FindClosedShape() const
 {
   double highest = 0.0; // of the neighbours' corners over the planes of triangles
   double lowest = 0.0;
   for (int e = 0; e < this->GetNumberOfEdges(); ++e)
   {
+    const int twin = this->Twins[e];
     const glm::dvec3 normal = this->GetNormal(e);
+    const glm::dvec3 edge = this->From(Next(e)) - this->From(e);
     const double length = glm::length(normal);
-    if (length > 0.0)
+    // The neighbours of a triangle that is but a line do not see each other across it.
+    if (!(length > 10.0 * this->Tolerance * glm::length(edge)))
     {
-      const glm::dvec3& opposite = this->From(Previous(this->Twins[e]));
-      const double height = glm::dot(opposite - this->From(e), normal) / length;
-      highest = std::max(highest, height);
-      lowest = std::min(lowest, height);
+      return vtkOITMeshShape::Unknown;
     }
+    const double height = glm::dot(this->From(Previous(twin)) - this->From(e), normal) / length;
+    if (std::abs(height) <= this->Tolerance && glm::dot(normal, this->GetNormal(twin)) < 0.0)
+    {
+      return vtkOITMeshShape::Unknown; // folded back
+    }
+    highest = std::max(highest, height);
+    lowest = std::min(lowest, height);
   }
   const bool isOutward = highest <= this->Tolerance && lowest < -10.0 * this->Tolerance;
   const bool isInward = lowest >= -this->Tolerance && highest > 10.0 * this->Tolerance;
   if ((!isOutward && !isInward) || !this->HasOneFanAtEachVertex() ||
-    !this->HasVertexAnglesOfConvexBody())
+    !this->HasVertexAnglesOfConvexBody() || !this->IsBehindItsPlanes(isOutward))
   {
     return vtkOITMeshShape::Unknown;
   }
@@ -229,11 +269,10 @@ vtkOITMeshShape Mesh::FindClosedShape() const
 //------------------------------------------------------------------------------
 vtkOITMeshShape Mesh::FindFlatShape() const
 {
-  glm::dvec3 normal(0.0);
+  glm::dvec3 normal(0.0); // the mean: that of one small triangle is not exact enough far from it
   for (int e = 0; e < this->GetNumberOfEdges(); e += 3)
   {
-    const glm::dvec3 candidate = this->GetNormal(e);
-    normal = glm::length(candidate) > glm::length(normal) ? candidate : normal;
+    normal += this->GetNormal(e);
   }
   if (!(glm::length(normal) > 0.0))
   {

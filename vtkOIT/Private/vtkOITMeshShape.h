@@ -27,7 +27,10 @@ enum class vtkOITMeshShape
  * 3. Flat: all triangles lie in one plane and face one way, and the open edges form one convex
  *    polygon that turns around once: it winds once around each inner point.
  *
- * Coordinates are floats, so "convex" and "flat" are meant up to 4e-7 of the largest coordinate.
+ * Coordinates are floats, so "convex" and "flat" are meant up to 4e-7 of the largest coordinate. So
+ * that many such errors do not add up to a hollow, all vertices of closed meshes must also be
+ * behind the planes of up to 400 of their triangles. Closed meshes with triangles that are but
+ * lines are Unknown.
  */
 vtkOITMeshShape vtkOITFindMeshShape(vtkPolyData* mesh);
 
