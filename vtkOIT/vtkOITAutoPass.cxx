@@ -35,11 +35,12 @@ namespace
 {
 constexpr vtkTypeInt64 LargestDefault = INT64_C(1) << 30; // 1 GiB
 
-/// Nothing of it is seen wherever it is.
+/// Nothing of it is seen wherever it is. Edges have an opacity of their own from VTK 9.3 on.
 bool HasNoOpacity(vtkProp* prop)
 {
   vtkActor* actor = vtkOITFindPlainActor(prop);
   return actor && actor->GetProperty()->GetOpacity() <= 0.0 &&
+    !actor->GetProperty()->GetEdgeVisibility() &&
     (!actor->GetBackfaceProperty() || actor->GetBackfaceProperty()->GetOpacity() <= 0.0);
 }
 
@@ -161,11 +162,14 @@ void vtkOITAutoPass::RenderTranslucent(vtkOITFrame& frame)
   {
     this->DropInvisibleProps(frame);
   }
-  if (!frame.GetProps().empty() && !this->ReuseFrame(frame))
+  // It is not known what other delegates draw.
+  const bool isKnown =
+    this->ReuseFrames && this->TranslucentPass->GetClassName() == std::string("vtkTranslucentPass");
+  const vtkOITFrameSignature signature =
+    isKnown ? vtkOITFrameSignature(frame, this->GetMTime()) : vtkOITFrameSignature();
+  const bool isStill = signature == impl.Signature;
+  if (!frame.GetProps().empty() && !(isStill && this->ReuseFrame(frame)))
   {
-    const vtkOITFrameSignature signature =
-      this->ReuseFrames ? vtkOITFrameSignature(frame) : vtkOITFrameSignature();
-    const bool isStill = signature == impl.Signature;
     impl.Signature = signature;
     impl.HasLayer = false;
     this->DrawProps(frame, isStill);
@@ -204,8 +208,7 @@ void vtkOITAutoPass::DropInvisibleProps(vtkOITFrame& frame)
 bool vtkOITAutoPass::ReuseFrame(vtkOITFrame& frame)
 {
   Internals& impl = *this->Impl;
-  if (!this->ReuseFrames || !impl.HasLayer || !(vtkOITFrameSignature(frame) == impl.Signature) ||
-    !impl.DepthCheck.IsUnchanged(frame))
+  if (!impl.HasLayer || !impl.DepthCheck.IsUnchanged(frame))
   {
     return false;
   }

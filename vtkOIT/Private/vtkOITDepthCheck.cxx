@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITDepthCheck.h"
 
+#include "vtkOITSavedState.h"
+
 #include "vtkOITAutoPassDepthCheckFS.h"
 #include "vtkOITFullScreenVS.h"
 
@@ -26,6 +28,7 @@ void vtkOITDepthCheck::Keep(const vtkOITFrame& frame)
 bool vtkOITDepthCheck::IsUnchanged(const vtkOITFrame& frame)
 {
   vtkOpenGLState* state = frame.GLState;
+  const vtkOITSavedState saved(state, false); // the frame is drawn next when something has changed
   this->Now.Copy(frame, frame.FindStorage(frame.Rectangle), frame.Rectangle, NowUnit);
   this->Kept.Bind(state, KeptUnit);
   state->vtkglEnable(GL_SCISSOR_TEST);

@@ -9,15 +9,20 @@
 #include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
+#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
 #include "vtkTexture.h"
 
 #include <cstring>
@@ -29,14 +34,31 @@ bool IsKnownProperty(vtkProperty* property)
 {
   return !property || property->GetNumberOfTextures() == 0;
 }
+
+/// Other passes around this one change shaders, and transforms of texture coordinates are not part
+/// of an actor's time.
+bool HasPlainKeys(vtkProp* prop)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  return !keys ||
+    (keys->Length(vtkOpenGLRenderPass::RenderPasses()) <= 0 &&
+      !keys->Has(vtkProp::GeneralTextureTransform()));
+}
+
+/// Nothing draws into it but its input.
+bool IsKnownTexture(vtkTexture* texture)
+{
+  return !texture || (texture->GetInput() && !texture->GetCubeMap());
+}
 }
 
 //------------------------------------------------------------------------------
-vtkOITFrameSignature::vtkOITFrameSignature(const vtkOITFrame& frame)
+vtkOITFrameSignature::vtkOITFrameSignature(const vtkOITFrame& frame, vtkMTimeType settings)
 {
   vtkRenderer* renderer = frame.GetState()->GetRenderer();
   this->Known = !frame.Window->GetStereoRender() && !renderer->GetUseShadows() &&
     !renderer->GetUseImageBasedLighting() && frame.Target.Samples == 0;
+  this->Add(settings);
   this->AddView(frame);
   this->AddLights(frame);
   this->AddProps(frame);
@@ -76,6 +98,9 @@ void vtkOITFrameSignature::AddView(const vtkOITFrame& frame)
   this->Add(frame.Target.Framebuffer);
   this->Add(frame.Target.DrawBuffer);
   this->Add(frame.Target.DepthBits);
+  this->Add(frame.Window->GetPointSmoothing());
+  this->Add(frame.Window->GetLineSmoothing());
+  this->Add(frame.Window->GetPolygonSmoothing());
 }
 
 //------------------------------------------------------------------------------
@@ -89,14 +114,23 @@ void vtkOITFrameSignature::AddLights(const vtkOITFrame& frame)
   lights->InitTraversal(it);
   while (vtkLight* light = lights->GetNextLight(it))
   {
+    // Values, not the time of modification: the renderer moves lights with the camera.
     this->Add(light);
-    // The renderer moves headlights with the camera; the camera is known already.
-    this->Add(light->LightTypeIsHeadlight() ? 0 : light->GetMTime());
+    this->Add(light->GetLightType());
     this->Add(light->GetSwitch());
+    this->Add(light->GetPositional());
     this->AddDoubles(light->GetDiffuseColor(), 3);
     this->AddDoubles(light->GetSpecularColor(), 3);
-    const double intensity = light->GetIntensity();
-    this->AddDoubles(&intensity, 1);
+    this->AddDoubles(light->GetAmbientColor(), 3);
+    this->AddDoubles(light->GetAttenuationValues(), 3);
+    double position[3];
+    double focalPoint[3];
+    light->GetTransformedPosition(position);
+    light->GetTransformedFocalPoint(focalPoint);
+    this->AddDoubles(position, 3);
+    this->AddDoubles(focalPoint, 3);
+    const double numbers[] = { light->GetIntensity(), light->GetConeAngle(), light->GetExponent() };
+    this->AddDoubles(numbers, 3);
   }
 }
 
@@ -106,15 +140,22 @@ void vtkOITFrameSignature::AddProps(const vtkOITFrame& frame)
   double factor = 0.0;
   double units = 0.0;
   vtkMapper::GetResolveCoincidentTopologyPolygonOffsetParameters(factor, units);
-  this->AddDoubles(&factor, 1);
-  this->AddDoubles(&units, 1);
+  const double parameters[] = { factor, units, vtkMapper::GetResolveCoincidentTopologyZShift() };
+  this->AddDoubles(parameters, 3);
+  vtkMapper::GetResolveCoincidentTopologyLineOffsetParameters(factor, units);
+  double pointUnits = 0.0;
+  vtkMapper::GetResolveCoincidentTopologyPointOffsetParameter(pointUnits);
+  const double others[] = { factor, units, pointUnits };
+  this->AddDoubles(others, 3);
   this->Add(vtkMapper::GetResolveCoincidentTopology());
+  this->Add(vtkMapper::GetResolveCoincidentTopologyPolygonOffsetFaces());
   for (vtkProp* prop : frame.GetProps())
   {
     vtkActor* actor = vtkOITFindPlainActor(prop);
     if (!actor || actor->GetMapper()->HasObserver(vtkCommand::UpdateShaderEvent) ||
       actor->HasObserver(vtkCommand::UpdateShaderEvent) || !IsKnownProperty(actor->GetProperty()) ||
-      !IsKnownProperty(actor->GetBackfaceProperty()))
+      !IsKnownProperty(actor->GetBackfaceProperty()) || !HasPlainKeys(actor) ||
+      !IsKnownTexture(actor->GetTexture()))
     {
       this->Known = false;
       return;
@@ -133,7 +174,8 @@ void vtkOITFrameSignature::AddProps(const vtkOITFrame& frame)
     {
       texture->Update();
       this->Add(texture->GetMTime());
-      this->Add(texture->GetInput() ? texture->GetInput()->GetMTime() : 0);
+      this->Add(texture->GetInput()->GetMTime());
+      this->Add(texture->GetLookupTable() ? texture->GetLookupTable()->GetMTime() : 0);
     }
   }
 }

@@ -3,6 +3,8 @@
 #ifndef vtkOITFrameSignature_h
 #define vtkOITFrameSignature_h
 
+#include "vtkType.h"
+
 #include <cstdint>
 #include <vector>
 
@@ -18,10 +20,12 @@ class vtkOITFrameSignature
 {
 public:
   vtkOITFrameSignature() = default;
-  explicit vtkOITFrameSignature(const vtkOITFrame& frame);
+  /// `settings`: when the properties of the pass were changed last.
+  vtkOITFrameSignature(const vtkOITFrame& frame, vtkMTimeType settings);
 
   /// False where a change could go unseen: props with shaders or uniforms of their own, mappers
-  /// other than VTK's for polygons, textures of properties, stereo, shadows, image-based lighting.
+  /// other than VTK's for polygons, textures of properties, textures without an image, stereo,
+  /// shadows, image-based lighting, other passes that change shaders.
   bool IsKnown() const { return this->Known; }
 
   bool operator==(const vtkOITFrameSignature& other) const
