@@ -8,6 +8,7 @@
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
@@ -62,8 +63,9 @@ struct View
 bool IsPlain(vtkCamera* camera)
 {
   const double* shear = camera->GetViewShear();
-  return !camera->GetUserTransform() && !camera->GetUserViewTransform() &&
-    camera->GetUseOffAxisProjection() == 0 && shear[0] == 0.0 && shear[1] == 0.0;
+  return camera->GetModelTransformMatrix()->IsIdentity() && !camera->GetUserTransform() &&
+    !camera->GetUserViewTransform() && camera->GetUseOffAxisProjection() == 0 && shear[0] == 0.0 &&
+    shear[1] == 0.0;
 }
 
 struct Item

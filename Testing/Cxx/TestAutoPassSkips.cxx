@@ -1,0 +1,591 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What the automatic pass leaves out or blends, scene by scene: each must be skipped as far as its
+// order is known and no further, and skipping must not change the picture.
+
+#include "TestRandom.h"
+#include "TestRig.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCubeSource.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkOITAutoPass.h"
+#include "vtkPlane.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkReverseSense.h"
+#include "vtkSphereSource.h"
+#include "vtkTexture.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+using namespace vtkOITTest;
+
+namespace
+{
+constexpr int Width = 64;
+constexpr int Height = 48;
+constexpr int Any = -1;
+
+struct Scene
+{
+  std::string Name;
+  std::function<void(TestRig&)> Build;
+  int Invisible = 0; // props that are left out
+  int Blended = 0;
+  int Sorted = 0;
+  int Passes = Any; // of frames without sorted props
+  int Layers = 4;   // at most, at a pixel
+};
+
+const glm::vec4 Red(0.9f, 0.3f, 0.2f, 0.4f);
+const glm::vec4 Green(0.2f, 0.8f, 0.3f, 0.6f);
+const glm::vec4 Blue(0.1f, 0.3f, 0.9f, 0.5f);
+
+/// Gives each side another brightness, so that the near and the far side are not mixed up unseen.
+void PaintSides(vtkPolyData* mesh, const glm::vec4& color)
+{
+  vtkDataArray* normals = mesh->GetPointData()->GetNormals();
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const double* n = normals->GetTuple3(i);
+    const double brightness = 255.0 * (0.5 + 0.25 * n[2] + 0.15 * n[0] + 0.1 * n[1]);
+    colors->InsertNextTuple3(brightness * color.r, brightness * color.g, brightness * color.b);
+  }
+  mesh->GetPointData()->SetScalars(colors);
+}
+
+vtkActor* AddSphere(TestRig& rig, const glm::vec4& color, const glm::dvec3& center, double radius)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(radius);
+  sphere->SetThetaResolution(17);
+  sphere->SetPhiResolution(13);
+  sphere->Update();
+  PaintSides(sphere->GetOutput(), color);
+  vtkActor* actor = rig.AddPolyData(sphere->GetOutput(), color);
+  actor->SetPosition(center.x, center.y, center.z);
+  actor->GetProperty()->LightingOn(); // so that fragments of one prop have different colours
+  return actor;
+}
+
+vtkActor* AddBox(
+  TestRig& rig, const glm::vec4& color, const glm::dvec3& lower, const glm::dvec3& upper)
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->SetBounds(lower.x, upper.x, lower.y, upper.y, lower.z, upper.z);
+  cube->Update();
+  PaintSides(cube->GetOutput(), color);
+  vtkActor* actor = rig.AddPolyData(cube->GetOutput(), color);
+  actor->GetProperty()->LightingOn();
+  return actor;
+}
+
+void LookInPerspective(TestRig& rig, const glm::dvec3& from, double nearest = 0.5)
+{
+  vtkCamera* camera = rig.Renderer->GetActiveCamera();
+  camera->ParallelProjectionOff();
+  camera->SetPosition(from.x, from.y, from.z);
+  camera->SetClippingRange(nearest, 20.0);
+}
+
+void AddTexture(vtkActor* actor)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 1, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  for (int i = 0; i < 8; ++i)
+  {
+    static_cast<unsigned char*>(image->GetScalarPointer())[i] =
+      static_cast<unsigned char>(30 * i + 20);
+  }
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  texture->SetColorModeToDirectScalars();
+  texture->InterpolateOff();
+  actor->SetTexture(texture);
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents(2);
+  for (const float x : { 0.0f, 1.0f, 1.0f, 0.0f })
+  {
+    coordinates->InsertNextTuple2(x, 0.5);
+  }
+  vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0))
+    ->GetPointData()
+    ->SetTCoords(coordinates);
+}
+
+/// Two quads that have a known order.
+std::vector<vtkActor*> AddTwoQuads(TestRig& rig)
+{
+  return { rig.AddQuad({ 0.3f, Red }, { 4, 4, 40, 40 }),
+    rig.AddQuad({ 0.6f, Green }, { 20, 10, 60, 44 }) };
+}
+
+std::vector<Scene> GetInvisibleScenes()
+{
+  const auto with = [](const std::function<void(TestRig&, vtkActor*)>& change)
+  { return [change](TestRig& rig) { change(rig, AddTwoQuads(rig)[0]); }; };
+  return {
+    { "opacity 0", with([](TestRig&, vtkActor* a) { a->GetProperty()->SetOpacity(0.0); }), 1, 1, 0,
+      1 },
+    { "opacity 0 of the front only",
+      with(
+        [](TestRig&, vtkActor* a)
+        {
+          a->GetProperty()->SetOpacity(0.0);
+          vtkNew<vtkProperty> inside;
+          inside->SetOpacity(0.5);
+          a->SetBackfaceProperty(inside);
+          a->RotateY(180.0);
+        }),
+      0, 2, 0, 1 },
+    { "empty data",
+      with([](TestRig&, vtkActor* a)
+        { vtkPolyData::SafeDownCast(a->GetMapper()->GetInputDataObject(0, 0))->Initialize(); }),
+      Any, 1, 0, 1 },
+    { "outside of the view", with([](TestRig&, vtkActor* a) { a->SetPosition(5.0, 0.0, 0.0); }),
+      Any, 1, 0, 1 }, // mostly VTK leaves it out
+    { "before the near plane", with([](TestRig&, vtkActor* a) { a->SetPosition(0.0, 0.0, 0.7); }),
+      1, 1, 0, 1 },
+    { "behind the far plane", with([](TestRig&, vtkActor* a) { a->SetPosition(0.0, 0.0, -2.0); }),
+      1, 1, 0, 1 },
+    { "not visible", with([](TestRig&, vtkActor* a) { a->VisibilityOff(); }), 0, 1, 0, 1 },
+    { "all of opacity 0",
+      with(
+        [](TestRig& rig, vtkActor* a)
+        {
+          a->GetProperty()->SetOpacity(0.0);
+          rig.Renderer->GetActors()->GetLastActor()->GetProperty()->SetOpacity(0.0);
+        }),
+      2, 0, 0, 0 },
+    { "behind the camera",
+      [](TestRig& rig)
+      {
+        LookInPerspective(rig, { 0.0, 0.0, 5.0 });
+        AddSphere(rig, Red, { 0.0, 0.0, 0.0 }, 0.8);
+        AddSphere(rig, Green, { 0.0, 0.0, 9.0 }, 0.8);
+      },
+      Any, Any, Any },
+    { "beside the near plane, partly behind the camera",
+      [](TestRig& rig)
+      {
+        LookInPerspective(rig, { 0.0, 0.0, 5.0 });
+        AddSphere(rig, Red, { 0.0, 0.0, 0.0 }, 0.8);
+        AddBox(rig, Green, { -0.4, -0.4, 1.0 }, { -0.2, 0.4, 7.0 });
+      },
+      0, 0, 2 },
+  };
+}
+
+std::vector<Scene> GetFlatScenes()
+{
+  const auto with = [](const std::function<void(vtkActor*)>& change)
+  { return [change](TestRig& rig) { change(AddTwoQuads(rig)[0]); }; };
+  return {
+    { "disjoint quads",
+      [](TestRig& rig)
+      {
+        rig.AddQuad({ 0.5f, Red }, { 2, 2, 20, 40 });
+        rig.AddQuad({ 0.5f, Green }, { 30, 2, 60, 20 });
+        rig.AddQuad({ 0.5f, Blue }, { 30, 30, 60, 44 });
+      },
+      0, 3, 0, 1, 1 },
+    { "64 shuffled planes",
+      [](TestRig& rig)
+      {
+        for (const Layer& layer : Random(12).Layers(64))
+        {
+          rig.AddQuad(layer);
+        }
+      },
+      0, 64, 0, 1, 64 },
+    { "two quads", with([](vtkActor*) {}), 0, 2, 0, 1 },
+    { "texture", with(AddTexture), 0, 2, 0, 1 },
+    { "mirrored quad", with([](vtkActor* a) { a->SetScale(-1.0, 1.0, 1.0); }), 0, 2, 0, 1 },
+    { "crossing quads",
+      [](TestRig& rig)
+      {
+        rig.AddRamp(0.2, 0.7, Red);
+        rig.AddRamp(0.8, 0.3, Green);
+      },
+      0, 0, 2 },
+    { "tilted quads, one behind the other",
+      [](TestRig& rig)
+      {
+        rig.AddRamp(0.1, 0.4, Red);
+        rig.AddRamp(0.9, 0.5, Green);
+      },
+      0, 2, 0, 1 },
+    { "wireframe", with([](vtkActor* a) { a->GetProperty()->SetRepresentationToWireframe(); }), 0,
+      0, 2 },
+    { "edges", with([](vtkActor* a) { a->GetProperty()->EdgeVisibilityOn(); }), 0, 0, 2 },
+    { "points", with([](vtkActor* a) { a->GetProperty()->SetRepresentationToPoints(); }), 0, 0, 2 },
+    { "equal depths",
+      [](TestRig& rig)
+      {
+        rig.AddQuad({ 0.5f, Red }, { 4, 4, 40, 40 });
+        rig.AddQuad({ 0.5f, Green }, { 20, 10, 60, 44 });
+      },
+      0, 0, 2 },
+    { "the same actor twice",
+      [](TestRig& rig)
+      {
+        vtkActor* actor = AddTwoQuads(rig)[0];
+        vtkNew<vtkActor> copy;
+        copy->ShallowCopy(actor);
+        rig.Renderer->AddActor(copy);
+      },
+      0, 0, 3 },
+    { "polygon offset",
+      [](TestRig& rig)
+      {
+        AddTwoQuads(rig);
+        vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+      },
+      0, 0, 2 },
+    { "clipped quads",
+      [](TestRig& rig)
+      {
+        vtkNew<vtkPlane> plane;
+        plane->SetNormal(1.0, 0.7, 0.0);
+        plane->SetOrigin(0.0123, 0.0, 0.0); // through no centre of a pixel
+        for (vtkActor* actor : AddTwoQuads(rig))
+        {
+          actor->GetMapper()->AddClippingPlane(plane);
+        }
+      },
+      0, 2, 0, 1 },
+    { "quads and a sphere elsewhere on the screen",
+      [](TestRig& rig)
+      {
+        rig.AddQuad({ 0.3f, Red }, { 2, 4, 24, 40 });
+        rig.AddQuad({ 0.6f, Green }, { 8, 10, 28, 44 });
+        AddSphere(rig, Blue, { 0.7, 0.2, 0.0 }, 0.3);
+        AddSphere(rig, Red, { 0.8, -0.2, 0.0 }, 0.3);
+      },
+      0, 2, 2 },
+  };
+}
+
+std::vector<Scene> GetClosedScenes()
+{
+  return {
+    { "a sphere",
+      [](TestRig& rig) {
+        AddSphere(rig, Red, { 0.0, 0.0, 0.0 }, 0.8);
+      },
+      0, 1, 0, 2 },
+    { "two spheres beside each other",
+      [](TestRig& rig)
+      {
+        AddSphere(rig, Red, { -0.6, 0.0, 0.0 }, 0.4);
+        AddSphere(rig, Blue, { 0.6, 0.0, 0.0 }, 0.4);
+      },
+      0, 2, 0, 2 },
+    { "two spheres behind each other",
+      [](TestRig& rig)
+      {
+        AddSphere(rig, Red, { 0.1, 0.0, 0.5 }, 0.4);
+        AddSphere(rig, Blue, { -0.1, 0.1, -0.5 }, 0.4);
+      },
+      0, 2, 0, 4 },
+    { "crossing spheres",
+      [](TestRig& rig)
+      {
+        AddSphere(rig, Red, { 0.2, 0.0, 0.1 }, 0.5);
+        AddSphere(rig, Blue, { -0.2, 0.1, -0.1 }, 0.5);
+      },
+      0, 0, 2 },
+    { "boxes beside each other in perspective",
+      [](TestRig& rig)
+      {
+        LookInPerspective(rig, { 3.0, 1.0, 4.0 });
+        AddBox(rig, Red, { -1.0, -0.5, -0.5 }, { -0.1, 0.5, 0.5 });
+        AddBox(rig, Blue, { 0.0, -0.5, -0.5 }, { 0.9, 0.5, 0.5 });
+      },
+      0, 2, 0, 4 },
+    { "boxes beside each other, seen from the other side",
+      [](TestRig& rig)
+      {
+        LookInPerspective(rig, { -3.0, 1.0, 4.0 });
+        AddBox(rig, Red, { -1.0, -0.5, -0.5 }, { -0.1, 0.5, 0.5 });
+        AddBox(rig, Blue, { 0.0, -0.5, -0.5 }, { 0.9, 0.5, 0.5 });
+      },
+      0, 2, 0, 4 },
+    { "crossing boxes",
+      [](TestRig& rig)
+      {
+        LookInPerspective(rig, { 3.0, 1.0, 4.0 });
+        AddBox(rig, Red, { -1.0, -0.5, -0.5 }, { 0.1, 0.5, 0.5 });
+        AddBox(rig, Blue, { 0.0, -0.5, -0.5 }, { 0.9, 0.5, 0.6 });
+      },
+      0, 0, 2 },
+    { "boxes that touch",
+      [](TestRig& rig)
+      {
+        LookInPerspective(rig, { 3.0, 1.0, 4.0 });
+        AddBox(rig, Red, { -1.0, -0.5, -0.5 }, { 0.0, 0.5, 0.5 });
+        AddBox(rig, Blue, { 0.0, -0.5, -0.5 }, { 0.9, 0.5, 0.5 });
+      },
+      0, 0, 2 },
+    { "three bars in a cycle",
+      [](TestRig& rig)
+      {
+        // Each is in front of the next one; axis planes tell so, in pairs.
+        LookInPerspective(rig, { 3.0, 3.0, 3.0 });
+        AddBox(rig, Red, { -1.0, -0.2, 0.0 }, { 1.0, 0.0, 0.2 });
+        AddBox(rig, Green, { 0.01, -1.0, -0.2 }, { 0.21, 1.0, -0.01 });
+        AddBox(rig, Blue, { -0.2, 0.01, -1.0 }, { 0.0, 0.21, 1.0 });
+      },
+      0, 0, 3, Any, 6 },
+    { "mirrored sphere",
+      [](TestRig& rig) { AddSphere(rig, Red, {}, 0.7)->SetScale(-1.0, 0.8, 1.0); }, 0, 1, 0, 2 },
+    { "sphere inside out",
+      [](TestRig& rig)
+      {
+        vtkNew<vtkSphereSource> sphere;
+        vtkNew<vtkReverseSense> reverse;
+        reverse->SetInputConnection(sphere->GetOutputPort());
+        reverse->ReverseNormalsOff();
+        reverse->Update();
+        PaintSides(reverse->GetOutput(), Red);
+        rig.AddPolyData(reverse->GetOutput(), Red)->GetProperty()->LightingOn();
+      },
+      0, 1, 0, 2 },
+    { "mirrored sphere inside out",
+      [](TestRig& rig)
+      {
+        vtkNew<vtkSphereSource> sphere;
+        vtkNew<vtkReverseSense> reverse;
+        reverse->SetInputConnection(sphere->GetOutputPort());
+        reverse->ReverseNormalsOff();
+        reverse->Update();
+        PaintSides(reverse->GetOutput(), Red);
+        vtkActor* actor = rig.AddPolyData(reverse->GetOutput(), Red);
+        actor->GetProperty()->LightingOn();
+        actor->SetScale(1.0, -1.0, 1.0);
+      },
+      0, 1, 0, 2 },
+    { "spheres with faces culled",
+      [](TestRig& rig) { AddSphere(rig, Red, {}, 0.7)->GetProperty()->BackfaceCullingOn(); }, 0, 0,
+      1 },
+    { "spheres around and behind something opaque",
+      [](TestRig& rig)
+      {
+        AddSphere(rig, { 0.5f, 0.6f, 0.1f, 1.0f }, { 0.0, 0.0, 0.0 }, 0.3);
+        AddSphere(rig, Red, { 0.1, 0.0, 0.2 }, 0.5);
+        AddSphere(rig, Blue, { -0.1, 0.1, -0.7 }, 0.25);
+      },
+      0, 2, 0, 4 },
+    { "the camera in a sphere",
+      [](TestRig& rig)
+      {
+        LookInPerspective(rig, { 0.0, 0.0, 0.5 }, 0.01);
+        AddSphere(rig, Red, { 0.0, 0.0, 0.0 }, 1.0);
+        AddSphere(rig, Blue, { 0.0, 0.0, -0.4 }, 0.2);
+      },
+      0, 0, 2 },
+    { "clipped spheres",
+      [](TestRig& rig)
+      {
+        vtkNew<vtkPlane> plane;
+        plane->SetNormal(1.0, 0.3, -0.8);
+        AddSphere(rig, Red, { 0.1, 0.0, 0.5 }, 0.4)->GetMapper()->AddClippingPlane(plane);
+        AddSphere(rig, Blue, { -0.1, 0.1, -0.5 }, 0.4)->GetMapper()->AddClippingPlane(plane);
+      },
+      0, 2, 0, 4 },
+    { "a sphere and quads before and behind it",
+      [](TestRig& rig)
+      {
+        rig.AddQuad({ 0.1f, Green }, { 4, 4, 40, 40 });
+        AddSphere(rig, Red, { 0.0, 0.0, 0.0 }, 0.5);
+        rig.AddQuad({ 0.9f, Blue }, { 20, 10, 60, 44 });
+      },
+      0, 3, 0, 4 },
+    { "a camera that turns the scene",
+      [](TestRig& rig)
+      {
+        LookInPerspective(rig, { 3.0, 1.0, 4.0 });
+        vtkNew<vtkMatrix4x4> matrix; // by half a turn around y
+        matrix->SetElement(0, 0, -1.0);
+        matrix->SetElement(2, 2, -1.0);
+        rig.Renderer->GetActiveCamera()->SetModelTransformMatrix(matrix);
+        AddBox(rig, Red, { -1.0, -0.5, -0.5 }, { -0.1, 0.5, 0.5 });
+        AddBox(rig, Blue, { 0.0, -0.5, -0.5 }, { 0.9, 0.5, 0.5 });
+      },
+      0, Any, Any },
+    { "a camera that mirrors the scene",
+      [](TestRig& rig)
+      {
+        vtkNew<vtkMatrix4x4> matrix;
+        matrix->SetElement(0, 0, -1.0);
+        rig.Renderer->GetActiveCamera()->SetModelTransformMatrix(matrix);
+        AddSphere(rig, Red, { 0.3, 0.0, 0.0 }, 0.6);
+      },
+      0, Any, Any },
+    { "a sphere that is not convex",
+      [](TestRig& rig)
+      {
+        vtkNew<vtkSphereSource> sphere;
+        sphere->SetEndPhi(140.0);
+        sphere->Update();
+        rig.AddPolyData(sphere->GetOutput(), Red)->RotateX(60.0);
+      },
+      0, 0, 1 },
+  };
+}
+
+vtkOITAutoPass* GetPass(TestRig& rig)
+{
+  return vtkOITAutoPass::SafeDownCast(rig.Pass);
+}
+
+void CheckCounts(TestReport& report, const Setup& setup, TestRig& rig, const Scene& scene)
+{
+  vtkOITAutoPass* pass = GetPass(rig);
+  const std::string summary = pass->GetSkipSummary();
+  const auto check = [&](int count, const std::string& words)
+  {
+    const std::string expected = std::to_string(count) + " of ";
+    const bool isThere = summary.find(words) != std::string::npos;
+    report.Check(count == Any || (count == 0 ? !isThere : isThere), scene.Name + ": " + summary);
+    report.Check(count <= 0 || summary.find(expected) != std::string::npos,
+      scene.Name + ": " + summary + ", expected " + expected);
+  };
+  check(scene.Invisible, "left out: invisible");
+  check(scene.Blended, "blended: their order is known");
+  const std::string name = pass->GetAlgorithmName();
+  const std::string sorter = setup.HasStorage ? "A-buffer" : "dual depth peeling";
+  if (scene.Sorted != Any)
+  {
+    const std::string expected = scene.Sorted > 0 ? sorter
+      : scene.Blended > 0                         ? "ordered blending"
+                                                  : "automatic choice";
+    report.Check(name == expected, scene.Name + ": drawn by " + name + ", expected " + expected);
+    report.Check(pass->GetChoice().empty() == (scene.Sorted == 0 && scene.Blended == 0),
+      scene.Name + ": the choice is " + pass->GetChoice());
+  }
+  report.Check(scene.Passes == Any || pass->GetNumberOfGeometryPasses() == scene.Passes,
+    scene.Name + ": " + std::to_string(pass->GetNumberOfGeometryPasses()) +
+      " geometry passes, expected " + std::to_string(scene.Passes));
+  report.Check(pass->GetExact() && pass->GetErrorBound() == 0.0, scene.Name + ": is not exact");
+  if (scene.Passes == 0)
+  {
+    report.Check(pass->GetBufferSizeInBytes() == 0, scene.Name + ": there are buffers");
+  }
+}
+
+void CheckScene(TestReport& report, const Setup& setup, const Scene& scene)
+{
+  TestRig rig(setup, Width, Height);
+  vtkOITAutoPass* pass = GetPass(rig);
+  pass->ReuseFramesOff();
+  scene.Build(rig);
+  const Image image = rig.Render();
+  CheckCounts(report, setup, rig, scene);
+  const Image window = rig.RenderWindow();
+
+  // Only leaving props out: the others are drawn as before.
+  pass->SkipInvisiblePropsOff();
+  const Image withInvisible = rig.Render();
+  report.Check(pass->GetSkipSummary().find("invisible") == std::string::npos,
+    scene.Name + ": props are left out though it is off");
+  if (scene.Sorted == 0)
+  {
+    report.Compare(scene.Name + ", with invisible props", image, withInvisible,
+      ReferenceCompositor::RoundingBoundOfAnyStack(scene.Layers, setup.FragmentStorage));
+  }
+  pass->SkipSortingOff();
+  const Image sorted = rig.Render();
+  report.Check(pass->GetSkipSummary().empty(), scene.Name + ": skips " + pass->GetSkipSummary());
+  // The compiler may round lighting otherwise in another shader.
+  const Tolerance bound =
+    ReferenceCompositor::RoundingBoundOfAnyStack(scene.Layers, setup.FragmentStorage) +
+    Tolerance{ 1e-5, 0.0 };
+  report.Compare(scene.Name + ", sorted", image, sorted, bound);
+  // Two roundings to 8 bits, or two 8-bit blends, of nearly the same.
+  const double step = (setup.HasFetch ? 1.0 : 2.0) / 255.0 + 1e-6;
+  report.Compare(scene.Name + ", sorted, in 8 bits", window, rig.RenderWindow(), { step, step });
+  vtkMapper::SetResolveCoincidentTopologyToOff();
+}
+
+/// A camera that moves the scene is the same as props that are moved.
+void CheckModelTransform(TestReport& report, const Setup& setup)
+{
+  TestRig moved(setup, Width, Height);
+  TestRig rig(setup, Width, Height);
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->SetElement(0, 3, -1.5);
+  matrix->SetElement(2, 2, -1.0); // to and fro change places
+  rig.Renderer->GetActiveCamera()->SetModelTransformMatrix(matrix);
+  for (const double z : { -0.5, 0.5 })
+  {
+    const glm::vec4 color = z < 0.0 ? Red : Green;
+    for (vtkActor* actor : { AddSphere(moved, color, { z * 0.2, 0.0, -z }, 0.3),
+           AddSphere(rig, color, { z * 0.2 + 1.5, 0.0, z }, 0.3) })
+    {
+      actor->GetProperty()->LightingOff();
+      actor->GetMapper()->ScalarVisibilityOff();
+    }
+  }
+  const Image expected = moved.Render();
+  const double step = 1e-3; // half floats, and none of them in the one that is blended
+  report.Compare("model transform of the camera", rig.Render(), expected, { step, step });
+}
+
+/// Against the definition, not only against the other method.
+void CheckPlanes(TestReport& report, const Setup& setup)
+{
+  TestRig rig(setup, Width, Height);
+  const std::vector<Layer> layers = Random(12).Layers(64);
+  for (const Layer& layer : layers)
+  {
+    rig.AddQuad(layer);
+  }
+  const TestReport::Expected expected =
+    Everywhere(ReferenceCompositor::Composite(layers, rig.GetBackground()));
+  const Tolerance bound =
+    ReferenceCompositor::RoundingBound(layers, rig.GetBackground(), Storage::Float32);
+  rig.Render(); // makes default lookup tables, which is a change
+  for (const char* frame : { "planes, drawn", "planes, kept", "planes, reused" })
+  {
+    report.Compare(frame, rig.Render(), expected, bound);
+  }
+  report.Check(rig.Pass->GetNumberOfGeometryPasses() == 0, "the third frame is not reused");
+  const double half = setup.HasFetch ? 0.5 / 255.0 : 1.5 / 255.0;
+  report.Compare("planes in 8 bits", rig.RenderWindow(), expected, bound + Tolerance{ half, half });
+}
+}
+
+int TestAutoPassSkips(int argc, char* argv[])
+{
+  return RunTest(argc, argv, Setups::Storages,
+    [](TestReport& report, const Setup& setup)
+    {
+      for (const auto& scenes : { GetInvisibleScenes(), GetFlatScenes(), GetClosedScenes() })
+      {
+        for (const Scene& scene : scenes)
+        {
+          CheckScene(report, setup, scene);
+        }
+      }
+      CheckModelTransform(report, setup);
+      CheckPlanes(report, setup);
+    });
+}
