@@ -22,6 +22,7 @@
 
 #include "vtkActor.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkProperty.h"
 #include "vtkTimeStamp.h"
@@ -33,7 +34,8 @@ vtkStandardNewMacro(vtkOITAutoPass);
 
 namespace
 {
-constexpr vtkTypeInt64 LargestDefault = INT64_C(1) << 30; // 1 GiB
+constexpr vtkTypeInt64 LargestDefault = INT64_C(1) << 30;  // 1 GiB
+constexpr vtkTypeInt64 SmallestLimit = INT64_C(1) << 20; // that passes take
 
 /// Nothing of it is seen wherever it is. Edges have an opacity of their own from VTK 9.3 on.
 bool HasNoOpacity(vtkProp* prop)
@@ -64,6 +66,11 @@ public:
     this->Summary += (this->Summary.empty() ? "" : "; ") + what;
   }
 
+  /// Releases what is left over from other frames until `needed` bytes more than what stays for
+  /// sorting, `forSorting`, are free. False when that cannot be.
+  bool MakeRoom(
+    vtkOITFrame& frame, vtkTypeInt64 needed, vtkTypeInt64 forSorting, vtkTypeInt64 limit);
+
   vtkOITMeshShapes Shapes;
   vtkOITLayerTarget Layer;
   vtkOITDepthCheck DepthCheck;
@@ -84,6 +91,23 @@ public:
   std::string Choice;
   vtkTypeInt64 Limit = LargestDefault; // that holds for the last frame
 };
+
+//------------------------------------------------------------------------------
+bool vtkOITAutoPass::Internals::MakeRoom(
+  vtkOITFrame& frame, vtkTypeInt64 needed, vtkTypeInt64 forSorting, vtkTypeInt64 limit)
+{
+  if (this->Layer.GetSizeInBytes() + this->DepthCheck.GetSizeInBytes() > limit - forSorting)
+  {
+    this->Layer.Release();
+    this->DepthCheck.Release();
+  }
+  const bool isFree = needed <= limit - forSorting;
+  if (isFree && forSorting == 0 && needed + this->Sorters.GetSizeInBytes() > limit)
+  {
+    this->Sorters.Release(frame.Window);
+  }
+  return isFree;
+}
 
 //------------------------------------------------------------------------------
 vtkOITAutoPass::vtkOITAutoPass()
@@ -155,7 +179,8 @@ void vtkOITAutoPass::RenderTranslucent(vtkOITFrame& frame)
   Internals& impl = *this->Impl;
   impl.Summary.clear();
   impl.Choice.clear();
-  impl.Limit = std::min<vtkTypeInt64>(LargestDefault, frame.Capabilities->Memory / 4);
+  const vtkTypeInt64 memory = frame.Capabilities->Memory; // 0 when not known
+  impl.Limit = memory > 0 ? std::min(LargestDefault, memory / 4) : LargestDefault;
   impl.Extents =
     vtkOITFindScreenExtents(frame.GetState()->GetRenderer(), frame.GetProps(), frame.Viewport);
   if (this->SkipInvisibleProps)
@@ -237,20 +262,27 @@ void vtkOITAutoPass::DrawProps(vtkOITFrame& frame, bool keepsLayer)
     plan = std::make_unique<vtkOITBlendPlan>(frame, impl.Extents, impl.Shapes);
   }
   const bool needsLayer = plan && plan->GetMaximumLayers() > 1;
-  bool hasLayer = false;
-  if (needsLayer || keepsLayer)
+  const vtkTypeInt64 limit = this->GetBufferLimit();
+  const bool sorts = !plan || !plan->GetSortedProps().empty();
+  const vtkTypeInt64 forSorting = sorts ? std::max(limit / 2, SmallestLimit) : 0;
+  const vtkTypeInt64 forLayer = vtkOITLayerTarget::GetBytes(frame, frame.Rectangle);
+  const vtkTypeInt64 forDepth = vtkOITDepthCheck::GetBytes(frame);
+  keepsLayer = keepsLayer && forLayer + forDepth <= limit - forSorting;
+  const vtkTypeInt64 needed = (needsLayer || keepsLayer ? forLayer : 0) + (keepsLayer ? forDepth : 0);
+  bool hasLayer = impl.MakeRoom(frame, needed, forSorting, limit) && needed > 0 &&
+    frame.Target.Samples == 0 && frame.Target.DepthBits > 0;
+  if (hasLayer)
   {
     if (keepsLayer)
     {
       impl.DepthCheck.Keep(frame);
     }
-    hasLayer = frame.Target.Samples == 0 &&
-      vtkOITLayerTarget::GetBytes(frame, frame.Rectangle) <= this->GetBufferLimit() / 2 &&
-      impl.Layer.Begin(frame, frame.Rectangle);
-    if (needsLayer && !hasLayer)
-    {
-      plan.reset();
-    }
+    hasLayer = impl.Layer.Begin(frame, frame.Rectangle);
+  }
+  if (needsLayer && !hasLayer)
+  {
+    impl.MakeRoom(frame, 0, SmallestLimit, limit);
+    plan.reset();
   }
   const vtkOITRectangle whole = frame.Rectangle;
   if (plan)
@@ -319,10 +351,16 @@ void vtkOITAutoPass::BlendProps(vtkOITFrame& frame, const vtkOITBlendPlan& plan)
 void vtkOITAutoPass::SortProps(vtkOITFrame& frame)
 {
   Internals& impl = *this->Impl;
-  const vtkTypeInt64 limit =
-    this->GetBufferLimit() - impl.Layer.GetSizeInBytes() - impl.DepthCheck.GetSizeInBytes();
-  vtkOITPass& pass = impl.Sorters.Choose(
-    frame, limit, [&frame](vtkOITPass& candidate) { return FindMissing(candidate, frame); });
+  const vtkTypeInt64 limit = this->GetBufferLimit() - impl.Layer.GetSizeInBytes() -
+    impl.DepthCheck.GetSizeInBytes();
+  const auto findMissing = [this, &frame](vtkOITPass& candidate)
+  {
+    return this->FragmentPrecision == FLOAT && candidate.IsA("vtkOITMultiLayerPeelingPass")
+      ? std::string("it keeps half floats")
+      : FindMissing(candidate, frame);
+  };
+  vtkOITPass& pass = impl.Sorters.Choose(frame, limit, findMissing);
+  impl.Sorters.ReleaseUnused(frame.Window);
   if (auto* peeling = vtkOITPeelingPass::SafeDownCast(&pass))
   {
     peeling->SetTransmittanceThreshold(this->TransmittanceThreshold);

@@ -26,6 +26,11 @@ public:
   {
     return this->Kept.GetSizeInBytes() + this->Now.GetSizeInBytes();
   }
+  /// That it takes for the frame's rectangle.
+  static std::int64_t GetBytes(const vtkOITFrame& frame)
+  {
+    return 2 * vtkOITDepthCopy::GetBytes(frame.FindStorage(frame.Rectangle), frame.Target);
+  }
   void Release();
 
 private:

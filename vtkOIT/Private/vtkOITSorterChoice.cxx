@@ -80,6 +80,19 @@ void vtkOITSorterChoice::Note(vtkOITPass& pass)
 }
 
 //------------------------------------------------------------------------------
+void vtkOITSorterChoice::ReleaseUnused(vtkWindow* window)
+{
+  for (int which = 0; which < Count; ++which)
+  {
+    vtkOITPass* pass = this->Passes[which];
+    if (pass && which != this->Current && pass->GetBufferSizeInBytes() > 0)
+    {
+      pass->ReleaseGraphicsResources(window);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 std::int64_t vtkOITSorterChoice::GetSizeInBytes() const
 {
   std::int64_t bytes = 0;

@@ -35,6 +35,9 @@ public:
   /// Remembers what the frame had, once the pass has drawn it.
   void Note(vtkOITPass& pass);
 
+  /// Frees what passes hold that were not chosen: the limit is for all together.
+  void ReleaseUnused(vtkWindow* window);
+
   /// Of all passes.
   std::int64_t GetSizeInBytes() const;
   void Release(vtkWindow* window);
