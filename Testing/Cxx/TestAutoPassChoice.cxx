@@ -166,10 +166,26 @@ void CheckSmallMemory(TestReport& report, const Setup& setup, int width, int hei
     }
   }
   report.Check(names.size() == 1, what + ": the method changes from frame to frame");
+  report.Check(!setup.HasStorage || names.count("A-buffer") > 0,
+    what + ": drawn by " + *names.begin() + ", which needs more passes");
   std::printf("%s: %s, %d geometry passes: %s\n", what.c_str(), names.begin()->c_str(),
     passes.back(), GetPass(rig)->GetChoice().c_str());
   report.Check(std::set<int>(passes.begin(), passes.end()).size() == 1,
     what + ": the number of geometry passes changes from frame to frame");
+}
+
+/// The heads of all pixels would take the whole limit, but those of a band do not.
+void CheckManyPixels(TestReport& report, const Setup& setup)
+{
+  TestRig rig(setup, 520, 520);
+  GetPass(rig)->SetMaximumBufferSize(MiB);
+  GetPass(rig)->ReuseFramesOff();
+  const Ramps ramps(rig, 3);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    report.Compare("many pixels", rig.Render(), ramps.GetExpected(rig), GetBound(setup, 3));
+    CheckEqual(report, "algorithm of many pixels", rig.Pass->GetAlgorithmName(), "A-buffer");
+  }
 }
 
 /// A limit that is set when there are large buffers already.
@@ -255,6 +271,10 @@ int TestAutoPassChoice(int argc, char* argv[])
       CheckSmallMemory(report, setup, 64, 48, 40);
       CheckSmallMemory(report, setup, 200, 150, 20);
       CheckSmallMemory(report, setup, 300, 200, 4);
+      if (setup.HasStorage && setup.FragmentStorage == Storage::Half)
+      {
+        CheckManyPixels(report, setup);
+      }
       CheckLoweredLimit(report, setup);
       if (setup.Tier == "all extensions")
       {

@@ -14,6 +14,7 @@ constexpr const char* MethodNames[] = { "abuffer", "multilayer", "dual" };
 
 // As in the documentation of the passes.
 constexpr std::int64_t BytesPerFragment = 16;
+constexpr std::int64_t BytesPerBandPixel = 8; // heads of lists and depth, of one band at a time
 constexpr std::int64_t BytesPerPeeledPixel = 216;
 constexpr int LayersPerPeel = 8;
 
@@ -41,10 +42,10 @@ vtkOITPass& vtkOITSorterChoice::Use(int which, std::int64_t limit, const std::st
 bool vtkOITSorterChoice::IsPeelingCheaper(const vtkOITFrame& frame, std::int64_t limit) const
 {
   const std::int64_t area = frame.Rectangle.GetArea();
-  const std::int64_t forFragments = std::max<std::int64_t>(limit - 4 * area, 1);
-  const std::int64_t bands = DivideUp(this->Fragments * BytesPerFragment, forFragments);
-  const std::int64_t peels =
-    DivideUp(this->DepthComplexity, LayersPerPeel) * DivideUp(area * BytesPerPeeledPixel, limit);
+  const std::int64_t bands =
+    DivideUp(this->Fragments * BytesPerFragment + area * BytesPerBandPixel, limit);
+  const std::int64_t peels = std::max<std::int64_t>(1, DivideUp(this->DepthComplexity, LayersPerPeel)) *
+    DivideUp(area * BytesPerPeeledPixel, limit);
   return this->Current == MultiLayer ? 3 * peels < 4 * bands : 4 * peels < 3 * bands;
 }
 
