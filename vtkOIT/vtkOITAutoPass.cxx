@@ -34,8 +34,8 @@ vtkStandardNewMacro(vtkOITAutoPass);
 
 namespace
 {
-constexpr vtkTypeInt64 LargestDefault = INT64_C(1) << 30;  // 1 GiB
-constexpr vtkTypeInt64 SmallestLimit = INT64_C(1) << 20; // that passes take
+constexpr vtkTypeInt64 LargestDefault = INT64_C(1) << 30; // 1 GiB
+constexpr vtkTypeInt64 SmallestLimit = INT64_C(1) << 20;  // that passes take
 
 /// Nothing of it is seen wherever it is. Edges have an opacity of their own from VTK 9.3 on.
 bool HasNoOpacity(vtkProp* prop)
@@ -268,7 +268,8 @@ void vtkOITAutoPass::DrawProps(vtkOITFrame& frame, bool keepsLayer)
   const vtkTypeInt64 forLayer = vtkOITLayerTarget::GetBytes(frame, frame.Rectangle);
   const vtkTypeInt64 forDepth = vtkOITDepthCheck::GetBytes(frame);
   keepsLayer = keepsLayer && forLayer + forDepth <= limit - forSorting;
-  const vtkTypeInt64 needed = (needsLayer || keepsLayer ? forLayer : 0) + (keepsLayer ? forDepth : 0);
+  const vtkTypeInt64 needed =
+    (needsLayer || keepsLayer ? forLayer : 0) + (keepsLayer ? forDepth : 0);
   bool hasLayer = impl.MakeRoom(frame, needed, forSorting, limit) && needed > 0 &&
     frame.Target.Samples == 0 && frame.Target.DepthBits > 0;
   if (hasLayer)
@@ -351,8 +352,8 @@ void vtkOITAutoPass::BlendProps(vtkOITFrame& frame, const vtkOITBlendPlan& plan)
 void vtkOITAutoPass::SortProps(vtkOITFrame& frame)
 {
   Internals& impl = *this->Impl;
-  const vtkTypeInt64 limit = this->GetBufferLimit() - impl.Layer.GetSizeInBytes() -
-    impl.DepthCheck.GetSizeInBytes();
+  const vtkTypeInt64 limit =
+    this->GetBufferLimit() - impl.Layer.GetSizeInBytes() - impl.DepthCheck.GetSizeInBytes();
   const auto findMissing = [this, &frame](vtkOITPass& candidate)
   {
     return this->FragmentPrecision == FLOAT && candidate.IsA("vtkOITMultiLayerPeelingPass")

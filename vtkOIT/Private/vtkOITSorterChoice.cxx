@@ -44,7 +44,8 @@ bool vtkOITSorterChoice::IsPeelingCheaper(const vtkOITFrame& frame, std::int64_t
   const std::int64_t area = frame.Rectangle.GetArea();
   const std::int64_t bands =
     DivideUp(this->Fragments * BytesPerFragment + area * BytesPerBandPixel, limit);
-  const std::int64_t peels = std::max<std::int64_t>(1, DivideUp(this->DepthComplexity, LayersPerPeel)) *
+  const std::int64_t peels =
+    std::max<std::int64_t>(1, DivideUp(this->DepthComplexity, LayersPerPeel)) *
     DivideUp(area * BytesPerPeeledPixel, limit);
   return this->Current == MultiLayer ? 3 * peels < 4 * bands : 4 * peels < 3 * bands;
 }
