@@ -344,7 +344,7 @@ std::vector<Change> GetLightChanges()
         text->SetInput("text");
         text->SetPosition(2, 2);
         text->GetTextProperty()->SetColor(1.0, 0.0, 0.0);
-        s.Rig.Renderer->AddActor2D(text);
+        s.Rig.Renderer->AddViewProp(text);
       },
       Change::Shown },
     { "text changed",

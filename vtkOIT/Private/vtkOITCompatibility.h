@@ -29,4 +29,14 @@ inline bool vtkOITIsInWorldCoordinates(vtkProp3D* prop)
 #endif
 }
 
+/// The key was renamed in VTK 9.6.
+inline vtkInformationDoubleVectorKey* vtkOITGeneralTextureTransform()
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  return vtkProp::GENERAL_TEXTURE_TRANSFORM();
+#else
+  return vtkProp::GeneralTextureTransform();
+#endif
+}
+
 #endif

@@ -55,6 +55,7 @@ void vtkOITDepthCopy::Allocate(const vtkOITFrame& frame, const vtkOITRectangle& 
   this->Width = width;
   this->Height = height;
   glGenTextures(1, &this->Texture);
+  this->Serial = vtkOITAttachment::MakeSerial();
   glBindTexture(this->Target, this->Texture);
   if (this->Samples > 0)
   {

@@ -30,7 +30,7 @@ public:
   void Bind(vtkOpenGLState* state, int unit) const { this->BindTo(state, unit, this->Texture); }
   void Unbind(vtkOpenGLState* state, int unit) const { this->BindTo(state, unit, 0); }
 
-  vtkOITAttachment GetAttachment() const { return { this->Texture, -1 }; }
+  vtkOITAttachment GetAttachment() const { return { this->Texture, -1, this->Serial }; }
   std::int64_t GetSizeInBytes() const;
 
   /// Bytes that a copy of the rectangle takes.
@@ -43,6 +43,7 @@ private:
   void Allocate(const vtkOITFrame& frame, const vtkOITRectangle& rectangle, int unit);
 
   GLuint Texture = 0;
+  std::uint64_t Serial = 0;
   GLuint Framebuffer = 0;
   GLenum Target = GL_TEXTURE_2D;
   GLenum Format = 0;

@@ -179,7 +179,7 @@ bool vtkOITFragmentStore::BindHeadFramebuffer(vtkOpenGLState* state)
   {
     glGenFramebuffers(1, &this->HeadFramebuffer);
   }
-  return vtkOITBindWithSharedDepth(state, this->HeadFramebuffer, { this->Heads, -1 });
+  return vtkOITBindWithSharedDepth(state, this->HeadFramebuffer, { this->Heads, -1, 0 });
 }
 
 //------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITFrameSignature.h"
 
+#include "vtkOITCompatibility.h"
 #include "vtkOITFrame.h"
 #include "vtkOITMeshShapes.h"
 
@@ -42,7 +43,7 @@ bool HasPlainKeys(vtkProp* prop)
   vtkInformation* keys = prop->GetPropertyKeys();
   return !keys ||
     (keys->Length(vtkOpenGLRenderPass::RenderPasses()) <= 0 &&
-      !keys->Has(vtkProp::GeneralTextureTransform()));
+      !keys->Has(vtkOITGeneralTextureTransform()));
 }
 
 /// Nothing draws into it but its input.

@@ -7,6 +7,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+
+//------------------------------------------------------------------------------
+std::uint64_t vtkOITAttachment::MakeSerial()
+{
+  static std::atomic<std::uint64_t> last{ 0 };
+  return ++last;
+}
 
 //------------------------------------------------------------------------------
 void vtkOITAttachTo(GLenum point, const vtkOITAttachment& attachment)

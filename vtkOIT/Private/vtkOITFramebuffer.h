@@ -6,18 +6,24 @@
 #include "vtkOITCompatibility.h"
 #include "vtkOITContextObjects.h"
 
+#include <cstdint>
 #include <vector>
 
 /// What a framebuffer draws into: a layer of a texture array, or a texture of two dimensions.
 struct vtkOITAttachment
 {
-  GLuint Texture = 0; // 0: nothing
-  GLint Layer = -1;   // -1: not an array
+  GLuint Texture = 0;       // 0: nothing
+  GLint Layer = -1;         // -1: not an array
+  std::uint64_t Serial = 0; // of the texture: GL gives names of deleted ones to new ones
 
   bool operator==(const vtkOITAttachment& other) const
   {
-    return this->Texture == other.Texture && this->Layer == other.Layer;
+    return this->Texture == other.Texture && this->Layer == other.Layer &&
+      this->Serial == other.Serial;
   }
+
+  /// The serial number for a new texture.
+  static std::uint64_t MakeSerial();
 };
 
 /// Attaches to a point of the framebuffer bound for drawing.

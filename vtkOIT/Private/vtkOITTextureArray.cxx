@@ -60,6 +60,7 @@ bool vtkOITTextureArray::Reserve(
   this->Height = height;
   this->Layers = layers;
   glGenTextures(1, &this->Texture);
+  this->Serial = vtkOITAttachment::MakeSerial();
   glBindTexture(GL_TEXTURE_2D_ARRAY, this->Texture);
   const Upload upload = GetUpload(format);
   glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(format), width, height, layers, 0,

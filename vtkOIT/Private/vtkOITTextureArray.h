@@ -23,7 +23,10 @@ public:
   bool Reserve(vtkOpenGLRenderWindow* window, int width, int height, int layers, GLenum format);
 
   /// For drawing into it.
-  vtkOITAttachment GetLayer(int layer) const { return { this->Texture, layer }; }
+  vtkOITAttachment GetLayer(int layer) const 
+  {
+    return { this->Texture, layer, this->Serial };
+  }
   std::vector<vtkOITAttachment> GetAllLayers() const;
   int GetNumberOfLayers() const { return this->Layers; }
 
@@ -41,6 +44,7 @@ private:
   void Forget() override;
 
   GLuint Texture = 0;
+  std::uint64_t Serial = 0;
   GLenum Format = 0;
   int Width = 0;
   int Height = 0;
