@@ -11,11 +11,38 @@
 
 using namespace vtkOITTest;
 
+namespace
+{
+/// With limited memory, textures have the size of what is drawn, and are made anew as it grows.
+void CheckGrowth(TestReport& report, const Setup& setup)
+{
+  const std::vector<Layer> layers = Random(18).Layers(9);
+  TestRig rig(setup, 96, 96);
+  rig.Pass->SetMaximumBufferSize(64 << 20);
+  const glm::dvec4 background = rig.GetBackground();
+  const glm::dvec4 inside = ReferenceCompositor::Composite(layers, background);
+  for (int size = 8; size <= 96; size += 8)
+  {
+    const PixelRectangle rectangle{ 0.0, 0.0, double(size), double(size) };
+    rig.RemoveProps();
+    for (const Layer& layer : layers)
+    {
+      rig.AddQuad(layer, rectangle);
+    }
+    report.Compare(
+      std::to_string(size) + " pixels a side, limited memory", rig.Render(),
+      [&](int x, int y) { return rectangle.Contains(x, y) ? inside : background; },
+      ReferenceCompositor::RoundingBound(layers, background, setup.FragmentStorage));
+  }
+}
+}
+
 int TestResize(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
     [](TestReport& report, const Setup& setup)
     {
+      CheckGrowth(report, setup);
       const std::vector<Layer> layers = Random(17).Layers(12);
       TestRig rig(setup, 64, 64);
       const glm::dvec4 background = rig.GetBackground();

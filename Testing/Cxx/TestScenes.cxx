@@ -40,8 +40,13 @@ vtkSmartPointer<vtkRenderer> AddRenderer(vtkRenderWindow* window, double x0, dou
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->SetBackground(0.95, 0.95, 0.9);
   renderer->SetBackgroundAlpha(1.0);
-  renderer->SetViewport(x0, 0.0, x1, 1.0);
   window->AddRenderer(renderer);
+  // VTK 9.1 remembers for which viewport the aspect was computed in members that it does not
+  // initialize: in the memory of a renderer that is gone, it takes 1 for the aspect of the same
+  // viewport, and ResetCamera() goes wrong.
+  renderer->SetViewport(0.125, 0.25, 0.5, 0.75);
+  renderer->ComputeAspect();
+  renderer->SetViewport(x0, 0.0, x1, 1.0);
   return renderer;
 }
 
