@@ -23,10 +23,7 @@ public:
   bool Reserve(vtkOpenGLRenderWindow* window, int width, int height, int layers, GLenum format);
 
   /// For drawing into it.
-  vtkOITAttachment GetLayer(int layer) const 
-  {
-    return { this->Texture, layer, this->Serial };
-  }
+  vtkOITAttachment GetLayer(int layer) const { return { this->Texture, layer, this->Serial }; }
   std::vector<vtkOITAttachment> GetAllLayers() const;
   int GetNumberOfLayers() const { return this->Layers; }
 
