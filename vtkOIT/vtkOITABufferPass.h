@@ -9,9 +9,10 @@
  * concurrent linked list construction on the GPU, EGSR 2010):
  *
  * 1. Gather: the props are drawn once, under the hardware's depth test against the opaque
- *    geometry. Each fragment takes a node of one pool by an atomic counter and becomes the head of
- *    its pixel's list: by framebuffer fetch where shaders can read the framebuffer, otherwise by an
- *    atomic exchange. Nothing is drawn.
+ *    geometry. Each fragment takes a node of one pool, from an atomic counter or from the page of
+ *    four nodes that its pixel took from it, and becomes the head of its pixel's list: by
+ *    framebuffer fetch where shaders can read the framebuffer, otherwise by an atomic exchange.
+ *    Nothing is drawn.
  * 2. Resolve: each tile of 16 x 16 pixels is drawn with the smallest sorting network that takes the
  *    depth complexity which the tile had in the last frame, up to 32 fragments. A pixel loads its
  *    list into registers, sorts it by depth and composites it front to back, `C += T α c`,
@@ -32,7 +33,8 @@
  * after the depth test; one depth and colour per pixel and fragment, as in multisampling itself.
  *
  * Geometry passes: 1, when the pool was too small 2, with bands 1 each. Memory: 4 bytes per pixel
- * plus 16 bytes per fragment; 32 per fragment for float32 colours or multisampling. Needs GL 4.3
+ * plus 16 bytes per fragment; 32 per fragment for float32 colours or multisampling. Where shaders
+ * read the framebuffer, pixels take nodes by fours. Needs GL 4.3
  * with ARB_clear_texture (any GL 4.4, Mesa's llvmpipe).
  *
  * Exact: yes. Colours are stored as half floats by default: an error of at most 2^-11 of each
