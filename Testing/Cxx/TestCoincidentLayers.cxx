@@ -26,7 +26,7 @@ namespace
 /// The symmetric rule. A contender may also draw coincident layers in any order: the answer that is
 /// nearest to the pixel.
 glm::dvec4 FindAnswer(
-  const TestRig& rig, const Setup& setup, std::vector<Layer> layers, const glm::vec4& pixel)
+  const TestRig& rig, const Setup& setup, const std::vector<Layer>& layers, const glm::vec4& pixel)
 {
   glm::dvec4 answer = ReferenceCompositor::Composite(layers, rig.GetBackground());
   if (!setup.IsContender || layers.size() > 5)

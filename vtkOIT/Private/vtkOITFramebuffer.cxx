@@ -60,18 +60,21 @@ bool vtkOITFramebuffer::Bind(vtkOpenGLRenderWindow* window,
         i < colors.size() ? colors[i] : vtkOITAttachment());
     }
     vtkOITAttachTo(GL_DEPTH_ATTACHMENT, depth);
-    if (colors.empty())
-    {
-      // Before GL 4.2 a read buffer without an attachment makes a framebuffer incomplete.
-      window->GetState()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->Framebuffer);
-      glReadBuffer(GL_NONE);
-    }
     this->Colors = colors;
     this->Depth = depth;
-    DrawInto(static_cast<int>(colors.size()));
+    // Without colours, too: when VTK binds a framebuffer it takes the first colour for drawn into.
+    DrawInto(std::max(1, static_cast<int>(colors.size())));
     this->IsComplete = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    if (!this->IsComplete && colors.empty())
+    {
+      // Before GL 4.1 a buffer to draw into or to read that is not there makes it incomplete.
+      DrawInto(0);
+      window->GetState()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->Framebuffer);
+      glReadBuffer(GL_NONE);
+      this->IsComplete = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    }
   }
-  else
+  else if (!colors.empty())
   {
     DrawInto(static_cast<int>(colors.size()));
   }

@@ -86,10 +86,10 @@ void vtkOITMinMaxPeeler::Begin(const vtkOITPeelContext& context)
 void vtkOITMinMaxPeeler::GatherInPlace(const vtkOITPeelContext& context, bool isSetUp)
 {
   const vtkOITTextureArray& state = context.State.GetArray();
-  std::vector<vtkOITAttachment> colors{ state.GetLayer(2) };
+  std::vector<vtkOITAttachment> colors{ state.GetLayer(this->IsDual ? InsideLayer : 2) };
   if (this->IsDual)
   {
-    colors.push_back(state.GetLayer(InsideLayer));
+    colors.push_back(state.GetLayer(2));
     for (int i = 0; i < this->Sums.GetNumberOfLayers(); ++i)
     {
       colors.push_back(this->Sums.GetLayer(i));
@@ -118,12 +118,13 @@ void vtkOITMinMaxPeeler::GatherInPlace(const vtkOITPeelContext& context, bool is
   context.Frame.GLState->vtkglDisable(GL_BLEND);
   if (this->IsDual)
   {
-    glColorMaski(0, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE); // bounds are only read
+    // Bounds are only read. VTK compares the mask of the first buffer with what it knows.
+    glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   }
   context.RenderGeometry();
   if (this->IsDual)
   {
-    glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   }
 }
 

@@ -7,8 +7,9 @@
 
 uniform int oitRest; // not 0: all that is left counts as one group
 
-layout(location = 0) inout vec4 oitBounds; // nearest, farthest, second nearest, second farthest
-layout(location = 1) inout vec4 oitInside; // the same of what is inside, for the next peel
+layout(location = 0) inout vec4 oitInside; // nearest, farthest, second nearest, second farthest of
+                                           // what is inside, for the next peel
+layout(location = 1) inout vec4 oitBounds; // the same of what is left
 layout(location = 2) inout vec4 oitFront;  // sums of opacity times colour and of opacity
 layout(location = 3) inout vec4 oitSecondFront;
 layout(location = 4) inout vec4 oitBack;
