@@ -123,7 +123,7 @@ int TestResources(int argc, char* argv[])
       AddScene(rig);
       // The first rounds fill VTK's shader cache and Mesa's caches of compiled code, and make the
       // timers of VTK's mappers, which start after 100 draws.
-      const int warmUp = hasBuckets ? 7 : 10;
+      constexpr int warmUp = 10;
       const int rounds = hasBuckets ? 4 : 16; // of 13 renders
       for (int round = 0; round < warmUp; ++round)
       {
