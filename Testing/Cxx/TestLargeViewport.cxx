@@ -35,8 +35,9 @@ std::vector<Piece> MakePieces(int width, int height)
   {
     const int x = random.Below(width);
     const int y = random.Below(height);
-    pieces.push_back(
-      { layer, { double(x), double(y), double(x + 1 + width / 3), double(y + 1 + height / 3) } });
+    const int right = x + 1 + width / 3;
+    const int top = y + 1 + height / 3;
+    pieces.push_back({ layer, { double(x), double(y), double(right), double(top) } });
   }
   // The last pixel of all.
   pieces.push_back({ { 0.0625f, { 0.9f, 0.8f, 0.1f, 0.5f } },
@@ -84,8 +85,9 @@ void CheckSize(TestReport& report, const Setup& setup, int width, int height)
     }
     for (int tile = 0; tile < 4; ++tile)
     {
+      const int row = tile / 2;
       const double x = 0.5 * (tile % 2);
-      const double y = 0.5 * (tile / 2);
+      const double y = 0.5 * row;
       // As vtkWindowToImageFilter does it.
       part.Window->SetTileViewport(x, y, x + 0.5, y + 0.5);
       part.Renderer->GetActiveCamera()->SetWindowCenter(4.0 * x - 1.0, 4.0 * y - 1.0);

@@ -289,7 +289,7 @@ Image TestRig::Render()
 //------------------------------------------------------------------------------
 Image TestRig::RenderWindowWithDepth()
 {
-  const Image image = this->RenderWindow();
+  Image image = this->RenderWindow();
   std::vector<float> depth(image.Pixels.size());
   this->Window->GetZbufferData(0, 0, this->Width - 1, this->Height - 1, depth.data());
   this->Depth = Image{ this->Width, this->Height, {} };

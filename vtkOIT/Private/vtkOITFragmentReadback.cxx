@@ -49,7 +49,7 @@ std::string vtkOITFragmentReadback::Refuse(vtkFloatArray* array) const
 std::string vtkOITFragmentReadback::Read(
   bool isWhole, std::int64_t fragments, vtkFloatArray* array) const
 {
-  const std::string nothing = this->Refuse(array);
+  std::string nothing = this->Refuse(array);
   if (!array)
   {
     return "no array was given for the fragments; create one, e.g. vtkFloatArray::New()";
