@@ -181,8 +181,7 @@ void vtkOITAutoPass::RenderTranslucent(vtkOITFrame& frame)
   impl.Choice.clear();
   const vtkTypeInt64 memory = frame.Capabilities->Memory; // 0 when not known
   impl.Limit = memory > 0 ? std::min(LargestDefault, memory / 4) : LargestDefault;
-  impl.Extents =
-    vtkOITFindScreenExtents(frame.GetState()->GetRenderer(), frame.GetProps(), frame.Viewport);
+  impl.Extents = frame.Extents;
   if (this->SkipInvisibleProps)
   {
     this->DropInvisibleProps(frame);

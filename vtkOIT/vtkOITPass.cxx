@@ -144,8 +144,8 @@ void vtkOITPass::Render(const vtkRenderState* state)
   GLint viewport[4];
   glGetIntegerv(GL_VIEWPORT, viewport);
   frame.Viewport = { viewport[0], viewport[1], viewport[2], viewport[3] };
-  frame.Rectangle =
-    vtkOITFindScreenRectangle(vtkOITFindScreenExtents(renderer, frame.GetProps(), frame.Viewport));
+  frame.Extents = vtkOITFindScreenExtents(renderer, frame.GetProps(), frame.Viewport);
+  frame.Rectangle = vtkOITFindScreenRectangle(frame.Extents);
   if (glIsEnabled(GL_SCISSOR_TEST))
   {
     GLint scissor[4];

@@ -4,6 +4,7 @@
 #define vtkOITFrame_h
 
 #include "vtkOITRectangle.h"
+#include "vtkOITScreenRectangle.h"
 #include "vtkRenderState.h"
 
 #include <vector>
@@ -63,6 +64,8 @@ public:
   const vtkOITCapabilities* Capabilities = nullptr;
   /// Of GL, in pixels of the framebuffer.
   vtkOITRectangle Viewport;
+  /// Of the props that the pass was given, in their order.
+  std::vector<vtkOITScreenExtent> Extents;
   /// The only pixels that translucent props can touch.
   vtkOITRectangle Rectangle;
   vtkOITTarget Target;
