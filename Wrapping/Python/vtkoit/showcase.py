@@ -28,11 +28,16 @@ def _peeling(renderer):
     renderer.SetOcclusionRatio(0.0)
 
 
+def _vtkoit(renderer):
+    # Each frame is to be drawn: the camera does not move, and a frame shown again is no measure.
+    return install(renderer, ReuseFrames=False)
+
+
 # (name in the file, title, what switches it on)
 METHODS = [
     ("vtk-default", "VTK's default", _default),
     ("vtk-peeling", "VTK's dual depth peeling", _peeling),
-    ("vtkoit", "vtkOIT auto", install),
+    ("vtkoit", "vtkOIT auto", _vtkoit),
 ]
 
 
