@@ -53,9 +53,12 @@ protected:
   vtkOITDualDepthPeelingPass();
   ~vtkOITDualDepthPeelingPass() override;
 
+  void RenderTranslucent(vtkOITFrame& frame) override;
   const char* GetOwnAlgorithmName() override { return "dual depth peeling"; }
 
 private:
+  bool KeepsLayers = false; // of the pixels, because shaders can read the framebuffer
+
   vtkOITDualDepthPeelingPass(const vtkOITDualDepthPeelingPass&) = delete;
   void operator=(const vtkOITDualDepthPeelingPass&) = delete;
 };

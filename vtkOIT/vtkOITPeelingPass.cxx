@@ -91,6 +91,13 @@ void vtkOITPeelingPass::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
+void vtkOITPeelingPass::SetPeeler(std::unique_ptr<vtkOITPeeler> peeler)
+{
+  this->Impl->Peeler->Release();
+  this->Impl->Peeler = std::move(peeler);
+}
+
+//------------------------------------------------------------------------------
 void vtkOITPeelingPass::RenderTranslucent(vtkOITFrame& frame)
 {
   Internals& impl = *this->Impl;
@@ -130,7 +137,9 @@ void vtkOITPeelingPass::RenderBand(
 {
   Internals& impl = *this->Impl;
   const vtkOITRectangle storage = this->MaximumBufferSize > 0 ? band : frame.FindStorage(band);
-  const vtkOITPeelContext context{ frame, impl.State,
+  const bool expectsOnePeel = this->UseOcclusionQuery && number < impl.ExpectedPeels.size() &&
+    impl.ExpectedPeels[number] == 1;
+  const vtkOITPeelContext context{ frame, impl.State, expectsOnePeel,
     [this, &frame] { this->RenderRemainingGeometry(frame); } };
   impl.Context = &context;
   impl.Culls =
@@ -150,14 +159,20 @@ void vtkOITPeelingPass::RenderBand(
   {
     impl.Culling.End(frame);
   }
-  impl.Context = nullptr;
-
   const vtkOITSavedState saved(frame.GLState, false);
   frame.GLState->vtkglEnable(GL_SCISSOR_TEST);
   frame.GLState->vtkglScissor(band.X, band.Y, band.Width, band.Height);
   frame.GLState->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   frame.DrawToFirstBufferOnly();
-  impl.State.Composite();
+  if (impl.Peeler->HasAll())
+  {
+    impl.Peeler->Composite(context);
+  }
+  else
+  {
+    impl.State.Composite();
+  }
+  impl.Context = nullptr;
   const vtkOITPixelStatistics::Result statistics = impl.State.Reduce();
   this->NumberOfFragments += statistics.Fragments;
   this->MaximumDepthComplexity = std::max(this->MaximumDepthComplexity, statistics.MostFragments);
@@ -203,6 +218,11 @@ void vtkOITPeelingPass::PeelBand(vtkOITFrame& frame, std::size_t number)
   while (!isFinished && (limit == 0 || peels < setUp + limit))
   {
     peeler.Peel(*impl.Context, static_cast<int>(peels));
+    if (peeler.HasAll())
+    {
+      ++this->NumberOfPeels;
+      return;
+    }
     impl.State.Mask(peeler.GetMaskSide(static_cast<int>(peels)), peels);
     ++peels;
     isFinished =

@@ -92,6 +92,8 @@ protected:
   std::string FindMissingInTarget(const vtkOITFrame& frame) override;
 
   vtkOITPeeler& GetPeeler() const;
+  /// Between frames: another peeler in place of the one so far.
+  void SetPeeler(std::unique_ptr<vtkOITPeeler> peeler);
 
   bool UseOcclusionQuery = true;
   double TransmittanceThreshold = 1.0 / 512;

@@ -16,20 +16,6 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
-namespace
-{
-/// MACRO(0) MACRO(1) ...
-std::string Repeat(const char* macro, int count)
-{
-  std::string text;
-  for (int i = 0; i < count; ++i)
-  {
-    text += std::string(macro) + "(" + std::to_string(i) + ")\n";
-  }
-  return text;
-}
-}
-
 //------------------------------------------------------------------------------
 int vtkOITLayerSortPeeler::GetNumberOfSlots() const
 {
@@ -146,7 +132,7 @@ void vtkOITLayerSortPeeler::Peel(const vtkOITPeelContext& context, int)
           "#define OIT_RESOLVE\n");
       vtkOITReplace(
         text, "//VTK::OIT::Slots", std::string(vtkOITHalfFS) + vtkOITMultiLayerPeelingPassSlotsFS);
-      vtkOITReplace(text, "//VTK::OIT::LoadSlots", Repeat("OIT_LOAD_SLOT", slots));
+      vtkOITReplace(text, "//VTK::OIT::LoadSlots", vtkOITRepeat("OIT_LOAD_SLOT", slots));
       return text;
     },
     [&](vtkShaderProgram* program)
@@ -203,9 +189,9 @@ bool vtkOITLayerSortPeeler::WrapGather(std::string& fragmentShader) const
   std::string stage = std::string(vtkOITFragmentFS) + vtkOITHalfFS +
     vtkOITMultiLayerPeelingPassSlotsFS + vtkOITMultiLayerPeelingPassGatherFS;
   vtkOITReplace(stage, "//VTK::OIT::DepthTest", vtkOITDepthTestFS);
-  vtkOITReplace(stage, "//VTK::OIT::SlotBuffers", Repeat("OIT_SLOT_BUFFER", slots));
-  vtkOITReplace(stage, "//VTK::OIT::LoadSlots", Repeat("OIT_LOAD_SLOT", slots));
-  vtkOITReplace(stage, "//VTK::OIT::StoreSlots", Repeat("OIT_STORE_SLOT", slots));
+  vtkOITReplace(stage, "//VTK::OIT::SlotBuffers", vtkOITRepeat("OIT_SLOT_BUFFER", slots));
+  vtkOITReplace(stage, "//VTK::OIT::LoadSlots", vtkOITRepeat("OIT_LOAD_SLOT", slots));
+  vtkOITReplace(stage, "//VTK::OIT::StoreSlots", vtkOITRepeat("OIT_STORE_SLOT", slots));
   return vtkOITWrapFragmentShader(fragmentShader, header, stage);
 }
 

@@ -5,8 +5,6 @@
 #include "vtkOITFrame.h"
 #include "vtkOITShaderText.h"
 
-#include "vtkOITDualDepthPeelingPassGatherFS.h"
-#include "vtkOITDualDepthPeelingPassResolveFS.h"
 #include "vtkOITFragmentFS.h"
 #include "vtkOITPeelingGatherFS.h"
 #include "vtkOITPeelingResolveFS.h"
@@ -14,18 +12,11 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
-namespace
-{
-// Layers of the state of dual peeling in place, after what was peeled from the back.
-constexpr int InsideLayer = 4;
-constexpr int OpacitiesLayer = 5;
-}
-
 //------------------------------------------------------------------------------
 void vtkOITMinMaxPeeler::Prepare(const vtkOITFrame& frame, bool)
 {
   const bool inPlace = vtkOITPeelState::CanWorkInPlace(frame);
-  if (inPlace != this->InPlace)
+  if (inPlace != this->InPlace || this->ShaderTime.GetMTime() == 0)
   {
     this->InPlace = inPlace;
     this->ShaderTime.Modified();
@@ -37,12 +28,7 @@ void vtkOITMinMaxPeeler::Prepare(const vtkOITFrame& frame, bool)
 vtkOITPeelState::Layout vtkOITMinMaxPeeler::GetLayout(const vtkOITFrame& frame) const
 {
   vtkOITPeelState::Layout layout;
-  layout.Layers = this->IsDual ? 4 : 3;
-  if (vtkOITPeelState::CanWorkInPlace(frame))
-  {
-    layout.Layers += 2;
-    layout.EmptyBoundsLayer = this->IsDual ? InsideLayer : -1;
-  }
+  layout.Layers = this->IsDual ? 4 : vtkOITPeelState::CanWorkInPlace(frame) ? 5 : 3;
   layout.HasBack = this->IsDual;
   return layout;
 }
@@ -82,50 +68,18 @@ void vtkOITMinMaxPeeler::Begin(const vtkOITPeelContext& context)
 }
 
 //------------------------------------------------------------------------------
-// What is a layer of the state, Resolve has emptied.
+// What Gather reads are layers of the state; Resolve has emptied them.
 void vtkOITMinMaxPeeler::GatherInPlace(const vtkOITPeelContext& context, bool isSetUp)
 {
   const vtkOITTextureArray& state = context.State.GetArray();
-  std::vector<vtkOITAttachment> colors{ state.GetLayer(this->IsDual ? InsideLayer : 2) };
-  if (this->IsDual)
-  {
-    colors.push_back(state.GetLayer(2));
-    for (int i = 0; i < this->Sums.GetNumberOfLayers(); ++i)
-    {
-      colors.push_back(this->Sums.GetLayer(i));
-    }
-    colors.push_back(state.GetLayer(OpacitiesLayer));
-    colors.push_back(state.GetLayer(1));
-  }
-  else
-  {
-    colors.push_back(state.GetLayer(3));
-    colors.push_back(state.GetLayer(4));
-  }
-  context.State.BindForGather(this->GatherFramebuffer, colors,
-    [this]
-    {
-      const float nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
-      for (int i = 0; this->IsDual && i < this->Sums.GetNumberOfLayers(); ++i)
-      {
-        glClearBufferfv(GL_COLOR, 2 + i, nothing);
-      }
-    });
+  context.State.BindForGather(
+    this->GatherFramebuffer, { state.GetLayer(2), state.GetLayer(3), state.GetLayer(4) }, [] {});
   if (isSetUp)
   {
-    vtkOITFramebuffer::DrawInto(this->IsDual ? 2 : 1); // depths only: no colours yet
+    vtkOITFramebuffer::DrawInto(1); // depths only: no colours yet
   }
   context.Frame.GLState->vtkglDisable(GL_BLEND);
-  if (this->IsDual)
-  {
-    // Bounds are only read. VTK compares the mask of the first buffer with what it knows.
-    glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  }
   context.RenderGeometry();
-  if (this->IsDual)
-  {
-    glColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -166,13 +120,7 @@ void vtkOITMinMaxPeeler::Peel(const vtkOITPeelContext& context, int number)
   }
   context.State.Resolve(
     this->ResolveStage,
-    [&]
-    {
-      const bool isDualInPlace = this->IsDual && this->InPlace;
-      return context.State.AssembleResolve(
-        isDualInPlace ? vtkOITDualDepthPeelingPassResolveFS : vtkOITPeelingResolveFS,
-        this->GetDefinitions());
-    },
+    [&] { return context.State.AssembleResolve(vtkOITPeelingResolveFS, this->GetDefinitions()); },
     [&](vtkShaderProgram* program)
     {
       if (program->IsUniformUsed("oitSums"))
@@ -211,9 +159,8 @@ bool vtkOITMinMaxPeeler::WrapGather(std::string& fragmentShader) const
   {
     header += "layout(early_fragment_tests) in;\n"; // reading the framebuffer would end it
   }
-  const char* gather =
-    this->IsDual && this->InPlace ? vtkOITDualDepthPeelingPassGatherFS : vtkOITPeelingGatherFS;
-  return vtkOITWrapFragmentShader(fragmentShader, header, std::string(vtkOITFragmentFS) + gather);
+  return vtkOITWrapFragmentShader(
+    fragmentShader, header, std::string(vtkOITFragmentFS) + vtkOITPeelingGatherFS);
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,9 @@
 #include "vtkOITFrame.h"
 #include "vtkOITShaderText.h"
 
+#include "vtkOITFullScreenVS.h"
+#include "vtkOITOutputFS.h"
+
 #include "vtkOpenGLState.h"
 
 //------------------------------------------------------------------------------
@@ -35,4 +38,33 @@ void vtkOITSetOutputBlending(vtkOpenGLState* state, bool byFetch)
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendEquation(GL_FUNC_ADD);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITOutputStage::Render(const vtkOITFrame& frame,
+  const std::function<std::string()>& getFragmentShader,
+  const std::function<void(vtkShaderProgram*)>& setUniforms)
+{
+  const bool byFetch = vtkOITWritesByFetch(frame);
+  if (byFetch != this->ByFetch)
+  {
+    this->Stage.Release();
+    this->ByFetch = byFetch;
+  }
+  vtkOpenGLState* state = frame.GLState;
+  vtkOITSetOutputBlending(state, byFetch);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
+  state->vtkglDisable(GL_CULL_FACE);
+  this->Stage.Render(
+    frame.Window, vtkOITFullScreenVS,
+    [&]
+    {
+      std::string text = getFragmentShader();
+      vtkOITReplace(
+        text, "//VTK::System::Dec", "//VTK::System::Dec\n" + vtkOITGetOutputHeader(byFetch));
+      vtkOITReplace(text, "//VTK::OIT::Output", vtkOITOutputFS);
+      return text;
+    },
+    setUniforms);
 }

@@ -3,7 +3,7 @@
 #ifndef vtkOITOutput_h
 #define vtkOITOutput_h
 
-#include <string>
+#include "vtkOITScreenStage.h"
 
 class vtkOpenGLState;
 class vtkOITFrame;
@@ -17,5 +17,20 @@ std::string vtkOITGetOutputHeader(bool byFetch);
 
 /// The blending that it needs.
 void vtkOITSetOutputBlending(vtkOpenGLState* state, bool byFetch);
+
+/// The last stage of a pass: puts the layers of all pixels over the frame's target.
+class vtkOITOutputStage
+{
+public:
+  /// Draws over the bound framebuffer, within the scissor. `getFragmentShader` makes a text with
+  /// //VTK::OIT::Output once, and again when the target asks for another way to write.
+  void Render(const vtkOITFrame& frame, const std::function<std::string()>& getFragmentShader,
+    const std::function<void(vtkShaderProgram*)>& setUniforms);
+  void Release() { this->Stage.Release(); }
+
+private:
+  vtkOITScreenStage Stage;
+  bool ByFetch = false; // of its program
+};
 
 #endif

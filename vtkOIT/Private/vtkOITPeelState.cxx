@@ -4,12 +4,10 @@
 
 #include "vtkOITCapabilities.h"
 #include "vtkOITFrame.h"
-#include "vtkOITOutput.h"
 #include "vtkOITShaderText.h"
 
 #include "vtkOITFullScreenVS.h"
 #include "vtkOITGroupFS.h"
-#include "vtkOITOutputFS.h"
 #include "vtkOITPeelingCompositeFS.h"
 #include "vtkOITPeelingMaskFS.h"
 #include "vtkOITPeelingStateFS.h"
@@ -73,6 +71,7 @@ void vtkOITPeelState::Begin(const vtkOITFrame& frame, const vtkOITRectangle& ban
   this->TestsDepth = glIsEnabled(GL_DEPTH_TEST) == GL_TRUE;
   glGetIntegerv(GL_DEPTH_FUNC, &this->DepthFunction);
   this->HasMask = false;
+  this->IsReduced = false;
   this->Current = 0;
   this->Region.Begin(
     frame, { band.X - storage.X, band.Y - storage.Y, band.Width, band.Height }, countsPixels);
@@ -97,6 +96,10 @@ void vtkOITPeelState::Begin(const vtkOITFrame& frame, const vtkOITRectangle& ban
     window, this->Arrays[0].GetAllLayers(), this->MaskDepth.GetLayer(0));
   for (int layer = 0; layer < layout.Layers; ++layer)
   {
+    if (layout.StartsInResolve && layer != 1)
+    {
+      continue;
+    }
     std::array<float, 4> value{};
     if (layer == 0 || (layout.HasBack && layer == 3))
     {
@@ -105,10 +108,6 @@ void vtkOITPeelState::Begin(const vtkOITFrame& frame, const vtkOITRectangle& ban
     else if (layer == 2)
     {
       value = { -1.0f, 2.0f, -2.0f, -2.0f };
-    }
-    else if (layer == layout.EmptyBoundsLayer)
-    {
-      value = { 2.0f, -2.0f, 2.0f, -2.0f };
     }
     glClearBufferfv(GL_COLOR, layer, value.data());
   }
@@ -292,32 +291,42 @@ void vtkOITPeelState::SetDepthTest(vtkShaderProgram* program) const
 //------------------------------------------------------------------------------
 void vtkOITPeelState::Composite()
 {
-  vtkOpenGLState* state = this->Frame->GLState;
-  const bool byFetch = vtkOITWritesByFetch(*this->Frame);
-  if (byFetch != this->CompositeByFetch)
-  {
-    this->CompositeStage.Release();
-    this->CompositeByFetch = byFetch;
-  }
-  vtkOITSetOutputBlending(state, byFetch);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  this->DrawScreen(
+  this->Composite(
     this->CompositeStage,
-    [this, byFetch]
+    [this]
     {
-      const std::string header =
-        vtkOITGetOutputHeader(byFetch) + (this->TheLayout.HasBack ? "#define OIT_BACK 3\n" : "");
       std::string text = vtkOITPeelingCompositeFS;
-      vtkOITReplace(text, "//VTK::System::Dec", "//VTK::System::Dec\n" + header);
-      vtkOITReplace(text, "//VTK::OIT::Output", vtkOITOutputFS);
+      if (this->TheLayout.HasBack)
+      {
+        vtkOITReplace(text, "//VTK::System::Dec", "//VTK::System::Dec\n#define OIT_BACK 3\n");
+      }
       return text;
     },
-    [this](vtkShaderProgram* program)
+    [](vtkShaderProgram*) {});
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPeelState::Composite(vtkOITOutputStage& stage,
+  const std::function<std::string()>& getFragmentShader,
+  const std::function<void(vtkShaderProgram*)>& setUniforms)
+{
+  stage.Render(*this->Frame, getFragmentShader,
+    [&](vtkShaderProgram* program)
     {
       const int origin[2] = { this->Storage.X, this->Storage.Y };
       program->SetUniform2i("oitOrigin", origin);
       this->BindFor(program);
+      setUniforms(program);
     });
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITPeelState::IsFirstPeelComplete()
+{
+  const bool isComplete = this->Reduce().Lost == 0;
+  this->Frame->ShiftViewport(this->Band, this->Storage);
+  this->IsReduced = isComplete;
+  return isComplete;
 }
 
 //------------------------------------------------------------------------------
@@ -325,9 +334,13 @@ vtkOITPixelStatistics::Result vtkOITPeelState::Reduce()
 {
   vtkOITTextureArray::Unbind(this->Frame->GLState, GatheredUnit);
   this->OpaqueDepth.Unbind(this->Frame->GLState, OpaqueUnit);
-  return this->Statistics.Reduce(*this->Frame, this->Arrays[this->Current],
-    { this->Band.X - this->Storage.X, this->Band.Y - this->Storage.Y, this->Band.Width,
-      this->Band.Height });
+  if (!this->IsReduced)
+  {
+    this->Reduced = this->Statistics.Reduce(*this->Frame, this->Arrays[this->Current],
+      { this->Band.X - this->Storage.X, this->Band.Y - this->Storage.Y, this->Band.Width,
+        this->Band.Height });
+  }
+  return this->Reduced;
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 
 #include "vtkOITDepthCopy.h"
 #include "vtkOITFramebuffer.h"
+#include "vtkOITOutput.h"
 #include "vtkOITPeelRegion.h"
 #include "vtkOITPixelStatistics.h"
 #include "vtkOITScreenStage.h"
@@ -40,7 +41,9 @@ public:
   {
     int Layers = 3;            // of the state, see vtkOITPeelingStateFS.glsl
     bool HasBack = false;      // layer 3 is what was peeled from the back
-    int EmptyBoundsLayer = -1; // a layer that starts as bounds of nothing
+    // The first Gather reads the statistics alone, the first Resolve no layer but them: only they
+    // are cleared.
+    bool StartsInResolve = false;
   };
 
   /// The texture units used, from 0; mappers count theirs up from 0 and GL has at least 16.
@@ -77,8 +80,17 @@ public:
   /// Where pixels are left to peel. Gather and Mask are limited to it, Resolve is in place.
   vtkOITPeelRegion& GetRegion() { return this->Region; }
 
-  /// Draws into the framebuffer of the frame. Viewport and scissor as the frame has them.
+  /// After Gather of the first peel, which has noted what it had no room for as lost: whether
+  /// there is nothing of that. Waits for it.
+  bool IsFirstPeelComplete();
+
+  /// Draws into the framebuffer of the frame. Viewport and scissor as the frame has them. By a
+  /// stage of the method, when it has what is peeled in another form.
+  ///@{
   void Composite();
+  void Composite(vtkOITOutputStage& stage, const std::function<std::string()>& getFragmentShader,
+    const std::function<void(vtkShaderProgram*)>& setUniforms);
+  ///@}
   vtkOITPixelStatistics::Result Reduce();
 
   /// Binds the state to StateUnit and sets the uniform oitState.
@@ -122,12 +134,13 @@ private:
   int Current = 0;
   vtkOITTextureArray MaskDepth;
   vtkOITPixelStatistics Statistics;
+  vtkOITPixelStatistics::Result Reduced;
+  bool IsReduced = false; // and has not changed since
   vtkOITDepthCopy OpaqueDepth;
   std::array<vtkOITFramebuffer, 2> StateFramebuffers;
   vtkOITFramebuffer MaskFramebuffer;
   std::array<vtkOITScreenStage, 2> MaskStages; // one for each side
-  vtkOITScreenStage CompositeStage;
-  bool CompositeByFetch = false; // of CompositeStage's program
+  vtkOITOutputStage CompositeStage;
 };
 
 #endif

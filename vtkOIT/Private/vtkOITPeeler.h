@@ -16,6 +16,8 @@ struct vtkOITPeelContext
 {
   vtkOITFrame& Frame;
   vtkOITPeelState& State;
+  /// The last frame ended with its first peel.
+  bool ExpectsOnePeel;
   /// One geometry pass: the props are drawn by their mappers' shaders after WrapGather().
   std::function<void()> RenderGeometry;
 };
@@ -57,6 +59,11 @@ public:
   virtual void Peel(const vtkOITPeelContext& context, int number) = 0;
   /// Blends all that is left as one group, out of order: one geometry pass.
   virtual void PeelRest(const vtkOITPeelContext& context) = 0;
+
+  /// After a peel: it has all there is, not in the state but for Composite() of the peeler, and
+  /// peeling ends. May only be when the context expects one peel.
+  virtual bool HasAll() const { return false; }
+  virtual void Composite(const vtkOITPeelContext&) {}
 
   /// Changes a mapper's fragment shader into the Gather stage. False when it has no main().
   virtual bool WrapGather(std::string& fragmentShader) const = 0;

@@ -68,6 +68,17 @@ std::string vtkOITRequireExtensions(std::initializer_list<const char*> names)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkOITRepeat(const char* macro, int count)
+{
+  std::string text;
+  for (int i = 0; i < count; ++i)
+  {
+    text += std::string(macro) + "(" + std::to_string(i) + ")\n";
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
 bool vtkOITReplace(std::string& text, const std::string& from, const std::string& to)
 {
   bool found = false;

@@ -12,6 +12,9 @@ std::string vtkOITRequireExtensions(std::initializer_list<const char*> names);
 /// Replaces every `from`; true when there was one.
 bool vtkOITReplace(std::string& text, const std::string& from, const std::string& to);
 
+/// Lines `macro(0)`, `macro(1)` and so on.
+std::string vtkOITRepeat(const char* macro, int count);
+
 /**
  * Turns the main() of a VTK fragment shader into `void oitShade()`, its colour output into the
  * variable `vec4 oitFragColor`, and appends `stage`, which must bring a new main(). `header` goes

@@ -8,46 +8,41 @@
 //VTK::OIT::State
 
 OIT_STATE_LAYER(3) // colour and transmittance of the layers peeled from the back
-OIT_STATE_LAYER(4) // bounds of what is inside
-OIT_STATE_LAYER(5) // opacities of the groups
 
-uniform sampler2DArray oitSums; // front, second front, back, second back
+//VTK::OIT::Layers
+
+uniform int oitFirst;
 uniform int oitRest;
-
-// The mean of the colours weighted by opacity, times the opacity of the group. For a single
-// fragment the factor is 1.
-vec3 oitGetColor(int layer, float opacity)
-{
-  vec4 sums = texelFetch(oitSums, ivec3(gl_FragCoord.xy, layer), 0);
-  return sums.rgb * (sums.a > 0.0 ? opacity / sums.a : 0.0);
-}
 
 void oitBlendOver(vec3 color, float opacity)
 {
-  oitState3.rgb += color - opacity * oitState3.rgb;
+  oitState3.rgb += opacity * (color - oitState3.rgb);
   oitState3.a -= opacity * oitState3.a;
 }
 
 void main()
 {
-  oitLoadCommonState();
-  vec4 opacities = oitState5;
-  vec4 inside = oitState4;
-  float weight = texelFetch(oitSums, ivec3(gl_FragCoord.xy, 0), 0).a;
-  if (oitRest != 0 && weight > opacities.x) // not just one fragment
+  oitLoadLayers(ivec2(gl_FragCoord.xy));
+  bool isFirst = oitFirst != 0;
+  oitState0 = isFirst ? vec4(0.0, 0.0, 0.0, 1.0) : oitState0;
+  oitState3 = isFirst ? vec4(0.0, 0.0, 0.0, 1.0) : oitState3;
+  bool isMore = isFirst ? oitState1.w > 0.0 : oitState2.z > 0.0;
+  oitState1.w = isFirst ? 0.0 : oitState1.w;
+  for (int i = 0; i < OIT_SIDE; ++i)
   {
-    oitNoteError(oitState0.a * opacities.x);
+    vec4 color = oitUnpack(layers[i].Color);
+    float opacity = layers[i].Key == OIT_NO_NEAR ? 0.0 : layers[i].Opacity;
+    if (oitRest != 0 && color.a > 1.0) // not just one fragment
+    {
+      oitNoteError(oitState0.a * opacity);
+    }
+    oitBlendUnder(opacity * color.rgb, opacity);
   }
-  oitBlendUnder(oitGetColor(0, opacities.x), opacities.x);
-  oitBlendUnder(oitGetColor(1, opacities.z), opacities.z);
-  oitBlendOver(oitGetColor(2, opacities.y), opacities.y);
-  oitBlendOver(oitGetColor(3, opacities.w), opacities.w);
-  oitSetBounds(inside.x, inside.y);
-  oitState2.zw = inside.zw;
-  // In parts: Mesa 22.3 takes a variable that is assigned once, a constant, for a constant, and
-  // forgets that an inout variable had a value before.
-  oitState4.xz = vec2(2.0);
-  oitState4.yw = vec2(-2.0);
-  oitState5.xz = vec2(0.0);
-  oitState5.yw = vec2(0.0);
+  for (int i = OIT_SIDE; i < OIT_LAYERS; ++i)
+  {
+    vec4 color = oitUnpack(layers[i].Color);
+    oitBlendOver(color.rgb, layers[i].Key == OIT_NO_FAR ? 0.0 : layers[i].Opacity);
+  }
+  oitSetBounds(isMore ? oitGetKeyDepth(layers[OIT_SIDE - 1].Key) : 2.0,
+    isMore ? oitGetKeyDepth(layers[OIT_LAYERS - 1].Key) : -2.0);
 }

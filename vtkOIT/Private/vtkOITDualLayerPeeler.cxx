@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkOITDualLayerPeeler.h"
+
+#include "vtkOITFrame.h"
+#include "vtkOITShaderText.h"
+
+#include "vtkOITDualDepthPeelingPassCompositeFS.h"
+#include "vtkOITDualDepthPeelingPassGatherFS.h"
+#include "vtkOITDualDepthPeelingPassLayersFS.h"
+#include "vtkOITDualDepthPeelingPassResolveFS.h"
+#include "vtkOITFragmentFS.h"
+#include "vtkOITHalfFS.h"
+
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+
+namespace
+{
+// Layers of the state.
+constexpr int StatisticsLayer = 1;
+constexpr int BoundsLayer = 2;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITDualLayerPeeler::Prepare(const vtkOITFrame&, bool hasFloatColor)
+{
+  const int layers = hasFloatColor ? 1 : this->WantedLayersPerSide;
+  if (this->LayersPerSide != layers || this->FloatColor != hasFloatColor)
+  {
+    this->Release();
+    this->LayersPerSide = layers;
+    this->FloatColor = hasFloatColor;
+    this->ShaderTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkOITPeelState::Layout vtkOITDualLayerPeeler::GetLayout(const vtkOITFrame&) const
+{
+  vtkOITPeelState::Layout layout;
+  layout.Layers = 4;
+  layout.HasBack = true;
+  layout.StartsInResolve = true;
+  return layout;
+}
+
+//------------------------------------------------------------------------------
+// The sides take turns, so that props which are peeled from the front and props which are peeled
+// from the back are both found out.
+vtkOITPeelState::MaskSide vtkOITDualLayerPeeler::GetMaskSide(int number) const
+{
+  return number % 2 == 0 ? vtkOITPeelState::MaskSide::Back : vtkOITPeelState::MaskSide::Front;
+}
+
+//------------------------------------------------------------------------------
+int vtkOITDualLayerPeeler::GetBytesPerPixel(const vtkOITFrame&) const
+{
+  return this->GetNumberOfBuffers() * vtkOITTextureArray::GetBytesPerTexel(GL_RGBA32UI);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITDualLayerPeeler::Begin(const vtkOITPeelContext& context)
+{
+  this->Layers.Reserve(context.Frame.Window, context.State.GetWidth(), context.State.GetHeight(),
+    this->GetNumberOfBuffers(), GL_RGBA32UI);
+  this->IsRest = false;
+  this->FirstHasAll = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITDualLayerPeeler::Gather(const vtkOITPeelContext& context)
+{
+  std::vector<vtkOITAttachment> colors = this->Layers.GetAllLayers();
+  colors.push_back(
+    context.State.GetArray().GetLayer(this->IsFirst ? StatisticsLayer : BoundsLayer));
+  context.State.BindForGather(this->GatherFramebuffer, colors,
+    [this]
+    {
+      const GLuint noNear[4] = { 0x7fffffff, 0, 0, 0 };
+      const GLuint noFar[4] = { 0, 0, 0, 0 };
+      for (int i = 0; i < this->GetNumberOfLayers(); ++i)
+      {
+        // Those of float colours are read only where there is a key.
+        glClearBufferuiv(GL_COLOR, i, i < this->LayersPerSide ? noNear : noFar);
+      }
+    });
+  context.Frame.GLState->vtkglDisable(GL_BLEND);
+  context.RenderGeometry();
+}
+
+//------------------------------------------------------------------------------
+void vtkOITDualLayerPeeler::AddLayers(std::string& stage) const
+{
+  vtkOITReplace(stage, "//VTK::OIT::Layers",
+    std::string(vtkOITHalfFS) + vtkOITDualDepthPeelingPassLayersFS);
+  vtkOITReplace(stage, "//VTK::OIT::LoadLayers",
+    vtkOITRepeat("OIT_LOAD_LAYER", this->GetNumberOfLayers()));
+}
+
+//------------------------------------------------------------------------------
+void vtkOITDualLayerPeeler::Resolve(const vtkOITPeelContext& context)
+{
+  context.State.Resolve(
+    this->ResolveStage,
+    [&]
+    {
+      std::string text = context.State.AssembleResolve(vtkOITDualDepthPeelingPassResolveFS,
+        vtkOITRequireExtensions({ "GL_ARB_shader_bit_encoding" }) + this->GetDefinitions() +
+          "#define OIT_READ_LAYERS\n");
+      this->AddLayers(text);
+      return text;
+    },
+    [&](vtkShaderProgram* program)
+    {
+      this->Layers.Bind(context.Frame.GLState, vtkOITPeelState::GatheredUnit);
+      program->SetUniformi("oitLayers", vtkOITPeelState::GatheredUnit);
+      program->SetUniformi("oitFirst", this->IsFirst ? 1 : 0);
+      program->SetUniformi("oitRest", this->IsRest ? 1 : 0);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkOITDualLayerPeeler::Peel(const vtkOITPeelContext& context, int number)
+{
+  this->IsFirst = number == 0;
+  this->Gather(context);
+  this->FirstHasAll =
+    this->IsFirst && context.ExpectsOnePeel && context.State.IsFirstPeelComplete();
+  if (!this->FirstHasAll)
+  {
+    this->Resolve(context);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOITDualLayerPeeler::PeelRest(const vtkOITPeelContext& context)
+{
+  this->IsRest = true;
+  this->Peel(context, -1);
+  this->IsRest = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITDualLayerPeeler::Composite(const vtkOITPeelContext& context)
+{
+  context.State.Composite(
+    this->CompositeStage,
+    [this]
+    {
+      std::string text = vtkOITDualDepthPeelingPassCompositeFS;
+      vtkOITReplace(text, "//VTK::System::Dec",
+        "//VTK::System::Dec\n" + vtkOITRequireExtensions({ "GL_ARB_shader_bit_encoding" }) +
+          this->GetDefinitions() + "#define OIT_READ_LAYERS\n");
+      this->AddLayers(text);
+      return text;
+    },
+    [&](vtkShaderProgram* program)
+    {
+      this->Layers.Bind(context.Frame.GLState, vtkOITPeelState::GatheredUnit);
+      program->SetUniformi("oitLayers", vtkOITPeelState::GatheredUnit);
+    });
+  vtkOITTextureArray::Unbind(context.Frame.GLState, vtkOITPeelState::GatheredUnit);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITDualLayerPeeler::GetDefinitions() const
+{
+  return "#define OIT_SIDE " + std::to_string(this->LayersPerSide) + "\n#define OIT_BUFFERS " +
+    std::to_string(this->GetNumberOfBuffers()) + "\n" +
+    (this->FloatColor ? "#define OIT_FLOAT_COLOR\n" : "");
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITDualLayerPeeler::WrapGather(std::string& fragmentShader) const
+{
+  std::string header =
+    vtkOITRequireExtensions({ "GL_ARB_explicit_attrib_location", "GL_ARB_shader_bit_encoding",
+      "GL_EXT_shader_framebuffer_fetch", "GL_ARB_shader_image_load_store" }) +
+    this->GetDefinitions();
+  // Reading the framebuffer would end the tests before the shader.
+  header += vtkOITWritesDepth(fragmentShader) ? "#define OIT_WRITES_DEPTH\n"
+                                              : "layout(early_fragment_tests) in;\n";
+  std::string stage =
+    std::string(vtkOITFragmentFS) + "//VTK::OIT::Layers\n" + vtkOITDualDepthPeelingPassGatherFS;
+  this->AddLayers(stage);
+  const int layers = this->GetNumberOfLayers();
+  vtkOITReplace(stage, "//VTK::OIT::LayerBuffers", vtkOITRepeat("OIT_LAYER_BUFFER", layers));
+  vtkOITReplace(stage, "//VTK::OIT::StoreLayers", vtkOITRepeat("OIT_STORE_LAYER", layers));
+  return vtkOITWrapFragmentShader(fragmentShader, header, stage);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITDualLayerPeeler::SetUniforms(
+  vtkShaderProgram* program, vtkProp*, const vtkOITPeelContext&)
+{
+  program->SetUniformi("oitFirst", this->IsFirst ? 1 : 0);
+  program->SetUniformi("oitRest", this->IsRest ? 1 : 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITDualLayerPeeler::Release()
+{
+  this->Layers.Release();
+  this->GatherFramebuffer.Release();
+  this->ResolveStage.Release();
+  this->CompositeStage.Release();
+}

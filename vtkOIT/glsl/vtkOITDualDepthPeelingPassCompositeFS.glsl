@@ -1,0 +1,34 @@
+//VTK::System::Dec
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Composite, for dual depth peeling when the first peel has all layers: front to back, over what
+// the framebuffer holds.
+
+//VTK::OIT::Layers
+//VTK::OIT::Output
+
+uniform sampler2DArray oitState;
+uniform ivec2 oitOrigin; // framebuffer pixel of the texel (0, 0)
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy) - oitOrigin;
+  if (texelFetch(oitState, ivec3(pixel, 1), 0).x == 0.0)
+  {
+    discard; // no fragments
+  }
+  oitLoadLayers(pixel);
+  vec3 color = vec3(0.0);
+  float transmittance = 1.0;
+  for (int i = 0; i < OIT_LAYERS; ++i)
+  {
+    // The far groups, which begin with the farthest, from the end.
+    OITLayer layer = layers[i < OIT_SIDE ? i : OIT_LAYERS - 1 + OIT_SIDE - i];
+    bool isEmpty = layer.Key == OIT_NO_NEAR || layer.Key == OIT_NO_FAR;
+    float weight = isEmpty ? 0.0 : transmittance * layer.Opacity;
+    color += weight * oitUnpack(layer.Color).rgb;
+    transmittance -= weight;
+  }
+  oitWrite(color, transmittance);
+}
