@@ -142,8 +142,8 @@ void vtkOITPeelingPass::RenderBand(
   const vtkOITPeelContext context{ frame, impl.State, expectsOnePeel,
     [this, &frame] { this->RenderRemainingGeometry(frame); } };
   impl.Context = &context;
-  impl.Culls =
-    this->UseOcclusionQuery && impl.Peeler->CanCullProps() && frame.GetProps().size() > 1;
+  impl.Culls = this->UseOcclusionQuery && !expectsOnePeel && impl.Peeler->CanCullProps() &&
+    frame.GetProps().size() > 1;
   if (impl.Culls)
   {
     impl.Culling.Begin(frame);

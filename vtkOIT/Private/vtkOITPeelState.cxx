@@ -302,7 +302,7 @@ void vtkOITPeelState::Composite()
       }
       return text;
     },
-    [](vtkShaderProgram*) {});
+    [this](vtkShaderProgram* program) { this->BindFor(program); });
 }
 
 //------------------------------------------------------------------------------
@@ -315,7 +315,6 @@ void vtkOITPeelState::Composite(vtkOITOutputStage& stage,
     {
       const int origin[2] = { this->Storage.X, this->Storage.Y };
       program->SetUniform2i("oitOrigin", origin);
-      this->BindFor(program);
       setUniforms(program);
     });
 }

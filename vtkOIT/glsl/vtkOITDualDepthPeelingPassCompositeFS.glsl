@@ -8,26 +8,24 @@
 //VTK::OIT::Layers
 //VTK::OIT::Output
 
-uniform sampler2DArray oitState;
 uniform ivec2 oitOrigin; // framebuffer pixel of the texel (0, 0)
 
 void main()
 {
-  ivec2 pixel = ivec2(gl_FragCoord.xy) - oitOrigin;
-  if (texelFetch(oitState, ivec3(pixel, 1), 0).x == 0.0)
+  oitLoadLayers(ivec2(gl_FragCoord.xy) - oitOrigin);
+  if (layers[0].Key == OIT_NO_NEAR)
   {
     discard; // no fragments
   }
-  oitLoadLayers(pixel);
   vec3 color = vec3(0.0);
   float transmittance = 1.0;
   for (int i = 0; i < OIT_LAYERS; ++i)
   {
-    // The far groups, which begin with the farthest, from the end.
+    // The far layers, which begin with the farthest, from the end.
     OITLayer layer = layers[i < OIT_SIDE ? i : OIT_LAYERS - 1 + OIT_SIDE - i];
     bool isEmpty = layer.Key == OIT_NO_NEAR || layer.Key == OIT_NO_FAR;
     float weight = isEmpty ? 0.0 : transmittance * layer.Opacity;
-    color += weight * oitUnpack(layer.Color).rgb;
+    color += weight * (isEmpty ? vec3(0.0) : oitUnpack(layer.Color).rgb);
     transmittance -= weight;
   }
   oitWrite(color, transmittance);

@@ -8,8 +8,8 @@
 uniform int oitFirst; // not 0: the first peel, everything is left
 uniform int oitRest;  // not 0: all that is left counts as one group
 
-// In the first peel the statistics: fragments, and 1 in w where there is no room for all. Later the
-// depths of the layers peeled last from the front and from the back, and the 1 in z.
+// In the first peel the statistics: fragments, and 1 in w where there is no room for all. Later, and
+// only to read, the depths of the layers peeled last from the front and from the back.
 layout(location = OIT_BUFFERS) inout vec4 oitPixel;
 
 #define OIT_LAYER_BUFFER(i) layout(location = i) inout uvec4 oitLayer##i;
@@ -27,49 +27,38 @@ layout(location = 3) inout uvec4 oitColor1;
 #endif
 //VTK::OIT::LayerBuffers
 
-// The layer with one more fragment.
-OITLayer oitMerge(OITLayer layer, OITLayer fragment)
+// Packing is expensive, and a CPU runs both sides of a branch, so one colour is packed: that of the
+// fragment, or that of the layer of coincident fragments which it joins. True when the fragment, or
+// a layer that had to make room for it, is left out.
+bool oitInsert(int key, vec4 color)
 {
-  vec4 mean = oitUnpack(layer.Color);
-  vec3 color = oitUnpack(fragment.Color).rgb;
-  float weight = layer.Opacity * mean.a + fragment.Opacity;
-  float opacity = layer.Opacity + (1.0 - layer.Opacity) * fragment.Opacity;
-  vec3 newMean = mean.rgb + (color - mean.rgb) * (fragment.Opacity / weight);
+  OITLayer joined = OITLayer(OIT_NO_NEAR, 0.0, OITPacked(0u));
+  for (int i = 0; i < OIT_LAYERS; ++i)
+  {
+    bool isSame = layers[i].Key == key;
+    joined.Key = isSame ? key : joined.Key;
+    joined.Opacity = isSame ? layers[i].Opacity : joined.Opacity;
+    joined.Color = isSame ? layers[i].Color : joined.Color;
+  }
+  bool isJoining = joined.Key == key;
+  vec4 mean = oitUnpack(joined.Color);
+  float weight = joined.Opacity * mean.a + color.a;
+  float opacity = joined.Opacity + (1.0 - joined.Opacity) * color.a;
+  vec3 newMean = mean.rgb + (color.rgb - mean.rgb) * (color.a / weight);
   const float smallestRatio = 1.0009765625; // that a half tells from 1
-  return OITLayer(
-    layer.Key, opacity, oitPack(vec4(newMean, max(weight / opacity, smallestRatio))));
-}
+  OITPacked bits = oitPack(isJoining ? vec4(newMean, max(weight / opacity, smallestRatio))
+                                       : vec4(color.rgb, 1.0));
 
-// True when the fragment, or a layer that had to make room for it, is left out.
-bool oitInsert(OITLayer fragment)
-{
-  // Merging is expensive on a CPU, which runs both sides of a branch: once, for any layer.
-  OITLayer same = fragment;
-  for (int i = 0; i < OIT_LAYERS; ++i)
-  {
-    bool isSame = layers[i].Key == fragment.Key;
-    same.Opacity = isSame ? layers[i].Opacity : same.Opacity;
-    same.Color = isSame ? layers[i].Color : same.Color;
-  }
-  OITLayer merged = oitMerge(same, fragment);
-  bool isMerged = false;
-  for (int i = 0; i < OIT_LAYERS; ++i)
-  {
-    bool isSame = layers[i].Key == fragment.Key;
-    layers[i].Opacity = isSame ? merged.Opacity : layers[i].Opacity;
-    layers[i].Color = isSame ? merged.Color : layers[i].Color;
-    isMerged = isMerged || isSame;
-  }
-
-  OITLayer carried = fragment;
-  carried.Key = isMerged ? OIT_NO_NEAR : fragment.Key;
+  OITLayer carried =
+    OITLayer(isJoining ? OIT_NO_NEAR : key, isJoining ? opacity : color.a, bits);
   for (int i = 0; i < OIT_SIDE; ++i)
   {
     OITLayer layer = layers[i];
     bool isBefore = carried.Key < layer.Key;
+    bool isNew = isBefore || layer.Key == key;
     layers[i].Key = isBefore ? carried.Key : layer.Key;
-    layers[i].Opacity = isBefore ? carried.Opacity : layer.Opacity;
-    layers[i].Color = isBefore ? carried.Color : layer.Color;
+    layers[i].Opacity = isNew ? carried.Opacity : layer.Opacity;
+    layers[i].Color = isNew ? carried.Color : layer.Color;
     carried.Key = isBefore ? layer.Key : carried.Key;
     carried.Opacity = isBefore ? layer.Opacity : carried.Opacity;
     carried.Color = isBefore ? layer.Color : carried.Color;
@@ -79,9 +68,10 @@ bool oitInsert(OITLayer fragment)
   {
     OITLayer layer = layers[i];
     bool isBehind = carried.Key > layer.Key;
+    bool isNew = isBehind || layer.Key == key;
     layers[i].Key = isBehind ? carried.Key : layer.Key;
-    layers[i].Opacity = isBehind ? carried.Opacity : layer.Opacity;
-    layers[i].Color = isBehind ? carried.Color : layer.Color;
+    layers[i].Opacity = isNew ? carried.Opacity : layer.Opacity;
+    layers[i].Color = isNew ? carried.Color : layer.Color;
     carried.Key = isBehind ? layer.Key : carried.Key;
     carried.Opacity = isBehind ? layer.Opacity : carried.Opacity;
     carried.Color = isBehind ? layer.Color : carried.Color;
@@ -98,10 +88,11 @@ void main()
   bool isLeft = color.a > 0.0 && (isFirst || (depth > oitPixel.x && depth < oitPixel.y));
   int key = oitGetKey(oitRest != 0 ? 0.5 : depth);
   //VTK::OIT::LoadLayers
-  bool isMore =
-    oitInsert(OITLayer(isLeft ? key : OIT_NO_NEAR, color.a, oitPack(vec4(color.rgb, 1.0))));
+  int flag = layers[OIT_LAYERS - 1].Key & OIT_MORE;
+  layers[OIT_LAYERS - 1].Key -= flag;
+  bool isMore = oitInsert(isLeft ? key : OIT_NO_NEAR, color);
+  layers[OIT_LAYERS - 1].Key |= isMore ? OIT_MORE : flag;
   //VTK::OIT::StoreLayers
   oitPixel.x += isFirst && isLeft ? 1.0 : 0.0;
-  oitPixel.z = isMore && !isFirst ? 1.0 : oitPixel.z;
-  oitPixel.w = isMore && isFirst ? 1.0 : oitPixel.w;
+  oitPixel.w = isFirst && isMore ? 1.0 : oitPixel.w;
 }

@@ -13,6 +13,7 @@
 
 #define OIT_NO_NEAR 0x7fffffff // behind all others
 #define OIT_NO_FAR 0           // before all others
+#define OIT_MORE 0x40000000    // of the last key: layers were left out
 #define OIT_LAYERS (2 * OIT_SIDE)
 
 #ifdef OIT_FLOAT_COLOR

@@ -26,12 +26,14 @@ void main()
   bool isFirst = oitFirst != 0;
   oitState0 = isFirst ? vec4(0.0, 0.0, 0.0, 1.0) : oitState0;
   oitState3 = isFirst ? vec4(0.0, 0.0, 0.0, 1.0) : oitState3;
-  bool isMore = isFirst ? oitState1.w > 0.0 : oitState2.z > 0.0;
   oitState1.w = isFirst ? 0.0 : oitState1.w;
+  bool isMore = (layers[OIT_LAYERS - 1].Key & OIT_MORE) != 0;
+  layers[OIT_LAYERS - 1].Key -= isMore ? OIT_MORE : 0;
   for (int i = 0; i < OIT_SIDE; ++i)
   {
-    vec4 color = oitUnpack(layers[i].Color);
-    float opacity = layers[i].Key == OIT_NO_NEAR ? 0.0 : layers[i].Opacity;
+    bool isEmpty = layers[i].Key == OIT_NO_NEAR;
+    vec4 color = isEmpty ? vec4(0.0) : oitUnpack(layers[i].Color);
+    float opacity = isEmpty ? 0.0 : layers[i].Opacity;
     if (oitRest != 0 && color.a > 1.0) // not just one fragment
     {
       oitNoteError(oitState0.a * opacity);
@@ -40,8 +42,9 @@ void main()
   }
   for (int i = OIT_SIDE; i < OIT_LAYERS; ++i)
   {
-    vec4 color = oitUnpack(layers[i].Color);
-    oitBlendOver(color.rgb, layers[i].Key == OIT_NO_FAR ? 0.0 : layers[i].Opacity);
+    bool isEmpty = layers[i].Key == OIT_NO_FAR;
+    oitBlendOver(isEmpty ? vec3(0.0) : oitUnpack(layers[i].Color).rgb,
+      isEmpty ? 0.0 : layers[i].Opacity);
   }
   oitSetBounds(isMore ? oitGetKeyDepth(layers[OIT_SIDE - 1].Key) : 2.0,
     isMore ? oitGetKeyDepth(layers[OIT_LAYERS - 1].Key) : -2.0);
