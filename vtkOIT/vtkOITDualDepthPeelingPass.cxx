@@ -8,6 +8,8 @@
 
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
+
 vtkStandardNewMacro(vtkOITDualDepthPeelingPass);
 
 //------------------------------------------------------------------------------
@@ -37,10 +39,28 @@ void vtkOITDualDepthPeelingPass::RenderTranslucent(vtkOITFrame& frame)
   }
   if (keepsLayers)
   {
-    auto& peeler = static_cast<vtkOITDualLayerPeeler&>(this->GetPeeler());
-    peeler.SetLayersPerSide(getenv("OITK") ? atoi(getenv("OITK")) : 2);
+    static_cast<vtkOITDualLayerPeeler&>(this->GetPeeler()).SetLayersPerSide(this->LayersPerSide);
   }
   this->Superclass::RenderTranslucent(frame);
+  this->ChooseLayersPerSide();
+}
+
+//------------------------------------------------------------------------------
+// As few as take all layers in one peel, because a layer costs a buffer that each fragment reads
+// and writes; as many as there can be when one peel is not enough. More at once, fewer only when
+// some frames agree: other shaders are looked up for it.
+void vtkOITDualDepthPeelingPass::ChooseLayersPerSide()
+{
+  constexpr int framesToAgree = 3;
+  const int layers = this->MaximumDepthComplexity;
+  const int wanted =
+    std::min((std::max(layers, 1) + 1) / 2, vtkOITDualLayerPeeler::MostLayersPerSide);
+  this->FramesWithFewer = wanted < this->LayersPerSide ? this->FramesWithFewer + 1 : 0;
+  if (wanted > this->LayersPerSide || this->FramesWithFewer >= framesToAgree)
+  {
+    this->LayersPerSide = wanted;
+    this->FramesWithFewer = 0;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -57,7 +57,11 @@ protected:
   const char* GetOwnAlgorithmName() override { return "dual depth peeling"; }
 
 private:
+  void ChooseLayersPerSide();
+
   bool KeepsLayers = false; // of the pixels, because shaders can read the framebuffer
+  int LayersPerSide = 3;    // then, of a peel
+  int FramesWithFewer = 0;  // in a row
 
   vtkOITDualDepthPeelingPass(const vtkOITDualDepthPeelingPass&) = delete;
   void operator=(const vtkOITDualDepthPeelingPass&) = delete;

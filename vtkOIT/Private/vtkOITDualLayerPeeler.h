@@ -16,7 +16,10 @@
 class vtkOITDualLayerPeeler : public vtkOITPeeler
 {
 public:
-  /// Layers from each side a peel: 1 to 3, with float colours 1.
+  /// Layers from each side that a peel can keep: GL has eight colour buffers.
+  static constexpr int MostLayersPerSide = 3;
+
+  /// At least 1; with float colours it is 1.
   void SetLayersPerSide(int layers) { this->WantedLayersPerSide = layers; }
 
   void Prepare(const vtkOITFrame& frame, bool hasFloatColor) override;
@@ -46,7 +49,7 @@ private:
   void Gather(const vtkOITPeelContext& context);
   void Resolve(const vtkOITPeelContext& context);
 
-  int WantedLayersPerSide = 3;
+  int WantedLayersPerSide = MostLayersPerSide;
   int LayersPerSide = 0; // of the shaders, as all below
   bool FloatColor = false;
   vtkTimeStamp ShaderTime;
