@@ -46,7 +46,7 @@ bool HasCoincidentQuads(const Scene& scene)
   return std::adjacent_find(depths.begin(), depths.end()) != depths.end();
 }
 
-/// For pictures that have the same bits, with two exceptions. Methods that peel add up coincident
+/// For pictures that have the same bits, with exceptions. Methods that peel add up coincident
 /// fragments in an order that depends on the draws, which rounds the sums of three and more in one
 /// way or another (docs/vtkOITDepthPeelingPass.md). `auto` may draw the two by different methods.
 Tolerance RoundingOfBits(const Setup& setup, const Scene& scene)
@@ -54,6 +54,15 @@ Tolerance RoundingOfBits(const Setup& setup, const Scene& scene)
   if (setup.Method == "auto")
   {
     return RoundingOfTwo(setup, 2 * scene.Props.size());
+  }
+  if (setup.Method == "dual")
+  {
+    // How many layers it peels at once depends on the frame before, and thereby which ones are
+    // blended first. Half floats round the mean colour of coincident fragments with each one.
+    const bool roundsMeans = setup.FragmentStorage == Storage::Half && HasCoincidentQuads(scene);
+    const double rounding = std::ldexp(1.0, -22);
+    return roundsMeans ? RoundingOfTwo(setup, 2 * scene.Props.size())
+                       : Tolerance{ rounding, rounding };
   }
   const bool hasSums = setup.Method != "abuffer" && HasCoincidentQuads(scene);
   const double rounding = hasSums ? std::ldexp(1.0, -22) : 0.0;

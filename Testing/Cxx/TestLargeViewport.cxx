@@ -15,6 +15,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace vtkOITTest;
 
@@ -92,8 +93,19 @@ void CheckSize(TestReport& report, const Setup& setup, int width, int height)
       part.Window->SetTileViewport(x, y, x + 0.5, y + 0.5);
       part.Renderer->GetActiveCamera()->SetWindowCenter(4.0 * x - 1.0, 4.0 * y - 1.0);
       part.Renderer->GetActiveCamera()->SetParallelScale(0.5);
-      report.CompareBits(what + ", tile " + std::to_string(tile), part.Render(),
-        Crop(image, tile % 2 * width / 2, tile / 2 * height / 2, width / 2, height / 2));
+      const std::string name = what + ", tile " + std::to_string(tile);
+      const Image expected =
+        Crop(image, tile % 2 * width / 2, tile / 2 * height / 2, width / 2, height / 2);
+      if (setup.Method == "dual")
+      {
+        // Which layers are blended first depends on the depth complexity of the frame before.
+        const double rounding = std::ldexp(1.0, -22);
+        report.Compare(name, part.Render(), expected, { rounding, rounding });
+      }
+      else
+      {
+        report.CompareBits(name, part.Render(), expected);
+      }
     }
   }
 }

@@ -83,7 +83,7 @@ const std::vector<MethodRow>& GetMethodTable()
       4096 },
     { "abuffer", Expectation::Exact, { Storage::Half, Storage::Float32 }, { Full, NoFetch }, 4096 },
     { "peel", Expectation::Exact, { Storage::Float32 }, { Full, GL32 }, 65 },
-    { "dual", Expectation::Exact, { Storage::Float32 }, { Full, GL32 }, 257 },
+    { "dual", Expectation::Exact, { Storage::Half, Storage::Float32 }, { Full, GL32 }, 257 },
     { "multilayer", Expectation::Exact, { Storage::Half }, { Full, NoFetch }, 257 },
     { "bucket", Expectation::Exact, { Storage::Float32 }, { Full, GL32 }, 65 },
     { "bucket-pairs", Expectation::Exact, { Storage::Float32 }, { Full, GL32 }, 65 },

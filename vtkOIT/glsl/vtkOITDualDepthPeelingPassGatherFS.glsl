@@ -32,6 +32,9 @@ layout(location = 3) inout uvec4 oitColor1;
 // a layer that had to make room for it, is left out.
 bool oitInsert(int key, vec4 color)
 {
+#ifndef OIT_FLOAT_COLOR
+  color.rgb = clamp(color.rgb, vec3(0.0), vec3(65504.0)); // before it goes into a mean
+#endif
   OITLayer joined = OITLayer(OIT_NO_NEAR, 0.0, OITPacked(0u));
   for (int i = 0; i < OIT_LAYERS; ++i)
   {
