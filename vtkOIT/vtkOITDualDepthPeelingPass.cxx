@@ -60,6 +60,7 @@ void vtkOITDualDepthPeelingPass::ChooseLayersPerSide()
   {
     this->LayersPerSide = wanted;
     this->FramesWithFewer = 0;
+    this->ForgetNumberOfPeels();
   }
 }
 

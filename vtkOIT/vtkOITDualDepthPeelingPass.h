@@ -7,31 +7,35 @@
  * Dual depth peeling (Bavoil and Myers, Order independent transparency with dual depth peeling,
  * NVIDIA 2008):
  *
- * 1. A first geometry pass finds the nearest and the farthest depth of each pixel by MAX blending
- * of
- *    (-z, z) in float32.
- * 2. Each further one sums up the fragments at these two depths, and finds the nearest and farthest
- *    depth of those between. A screen pass blends the front layer under those in front,
- *    `C += T α c`, `T -= T α`, and the back layer over those behind, `C += α (c - C)`, in float32.
- * 3. The hardware's depth test rejects what is behind the back layer. Peeling ends when no pixel
- * has layers left between.
- * 4. The two halves are composited, front over back.
+ * 1. A geometry pass finds the nearest and the farthest layer of each pixel among those that are
+ *    left. A screen pass blends the front layer under those in front, `C += T α c`, `T -= T α`, and
+ *    the back layer over those behind, `C += α (c - C)`, in float32.
+ * 2. The hardware's depth test rejects what lies outside of the layers peeled from one side, before
+ *    it is shaded. Peeling ends when no pixel has layers left between.
+ * 3. The two halves are composited, front over back.
+ *
+ * Where shaders can read the framebuffer (EXT_shader_framebuffer_fetch), a geometry pass keeps the
+ * layers themselves, by insertion: as many as take the depth complexity of the last frame, one to
+ * three from each side. When the first pass has all layers, it is composited at once, and nothing
+ * is kept from peel to peel. Elsewhere, as in the paper, it finds their depths by MAX blending of
+ * (-z, z) in float32, and the next one sums up their colours: a geometry pass more.
  *
  * Differences from the paper and from vtkDualDepthPeelingPass: colours accumulate in float32, not
  * in 8 bits; peeling ends by depths, not by the colour of back layers, so a faint outermost layer
  * ends nothing; depths are compared exactly, so layers one unit in the last place apart are two;
- * colours are added instead of kept as a maximum, so coincident fragments are all counted, and
- * colours may be of any size and sign.
+ * coincident fragments are all counted, as a group with the mean of their colours weighted by
+ * opacity, instead of the maximum.
  *
- * Where shaders can read the framebuffer (EXT_shader_framebuffer_fetch), the two nearest and the
- * two farthest layers are peeled at once: a register more, and half the geometry passes.
- *
- * Geometry passes: ⌈N/4⌉ + 1 for N layers where shaders can read the framebuffer, otherwise
- * ⌈N/2⌉ + 1; at most ⌊N/2⌋ + 2 in any case. Memory: 168 bytes per pixel, otherwise 200. Needs
- * GL 3.2 with ARB_explicit_attrib_location.
+ * Geometry passes: ⌈N/6⌉ for N layers where shaders can read the framebuffer, ⌈N/2⌉ with float
+ * colours; elsewhere ⌈N/2⌉ + 1. Memory: 104, 136 or 168 bytes per pixel for one to three layers
+ * from each side, 136 with float colours; elsewhere 200. Needs GL 3.2 with
+ * ARB_explicit_attrib_location.
  *
  * Exact: yes, with TransmittanceThreshold 0 and no limit on the number of peels; otherwise within
- * GetErrorBound(). Limits: a prop whose mapper knows nothing of vtkOpenGLRenderPass draws nothing.
+ * GetErrorBound(). Where layers are kept, they have half-float colours in [0, 65504] by default, an
+ * error of at most 2^-11 of each, once more with each coincident fragment; FragmentPrecision FLOAT
+ * keeps them as they are, of any size and sign. Limits: a prop whose mapper knows nothing of
+ * vtkOpenGLRenderPass draws nothing.
  *
  * @sa vtkOITPeelingPass
  */

@@ -95,6 +95,13 @@ void vtkOITPeelingPass::SetPeeler(std::unique_ptr<vtkOITPeeler> peeler)
 {
   this->Impl->Peeler->Release();
   this->Impl->Peeler = std::move(peeler);
+  this->ForgetNumberOfPeels();
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPeelingPass::ForgetNumberOfPeels()
+{
+  this->Impl->ExpectedPeels.clear();
 }
 
 //------------------------------------------------------------------------------

@@ -94,6 +94,8 @@ protected:
   vtkOITPeeler& GetPeeler() const;
   /// Between frames: another peeler in place of the one so far.
   void SetPeeler(std::unique_ptr<vtkOITPeeler> peeler);
+  /// The next frame may need another number of peels than the last one.
+  void ForgetNumberOfPeels();
 
   bool UseOcclusionQuery = true;
   double TransmittanceThreshold = 1.0 / 512;

@@ -101,10 +101,10 @@ void vtkOITDualLayerPeeler::Gather(const vtkOITPeelContext& context)
 //------------------------------------------------------------------------------
 void vtkOITDualLayerPeeler::AddLayers(std::string& stage) const
 {
-  vtkOITReplace(stage, "//VTK::OIT::Layers",
-    std::string(vtkOITHalfFS) + vtkOITDualDepthPeelingPassLayersFS);
-  vtkOITReplace(stage, "//VTK::OIT::LoadLayers",
-    vtkOITRepeat("OIT_LOAD_LAYER", this->GetNumberOfLayers()));
+  vtkOITReplace(
+    stage, "//VTK::OIT::Layers", std::string(vtkOITHalfFS) + vtkOITDualDepthPeelingPassLayersFS);
+  vtkOITReplace(
+    stage, "//VTK::OIT::LoadLayers", vtkOITRepeat("OIT_LOAD_LAYER", this->GetNumberOfLayers()));
 }
 
 //------------------------------------------------------------------------------

@@ -39,8 +39,8 @@ public:
 
   struct Layout
   {
-    int Layers = 3;            // of the state, see vtkOITPeelingStateFS.glsl
-    bool HasBack = false;      // layer 3 is what was peeled from the back
+    int Layers = 3;       // of the state, see vtkOITPeelingStateFS.glsl
+    bool HasBack = false; // layer 3 is what was peeled from the back
     // The first Gather reads the statistics alone, the first Resolve no layer but them: only they
     // are cleared.
     bool StartsInResolve = false;
