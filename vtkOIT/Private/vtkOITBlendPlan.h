@@ -44,6 +44,11 @@ public:
   const vtkOITRectangle& GetBlendRectangle() const { return this->BlendRectangle; }
   /// The most layers that the steps can have at a pixel.
   int GetMaximumLayers() const { return this->MaximumLayers; }
+  /// Whether nothing of the last step is drawn over by another part of it.
+  bool EndsWithTopLayers() const
+  {
+    return !this->Steps.empty() && this->Steps.back().Side == Faces::Near;
+  }
   int GetNumberOfBlendedProps() const { return this->NumberOfBlendedProps; }
   /// Whether a closed convex prop is drawn with its faces pointing inwards.
   bool IsInsideOut(vtkProp* prop) const;

@@ -3,6 +3,7 @@
 #include "vtkOITLayerTarget.h"
 
 #include "vtkOITOutput.h"
+#include "vtkOITSavedState.h"
 #include "vtkOITShaderText.h"
 #include "vtkOITSharedDepth.h"
 
@@ -13,10 +14,15 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
+#include <string>
+
 namespace
 {
 // Mappers count their units up from 0 and GL has at least 16.
 constexpr int Unit = 15;
+
+/// How many frames are told apart: bits of an alpha, all ones.
+constexpr int Stamps = 255;
 }
 
 //------------------------------------------------------------------------------
@@ -30,6 +36,7 @@ bool vtkOITLayerTarget::Begin(vtkOITFrame& frame, const vtkOITRectangle& rectang
   {
     return false;
   }
+  this->Stamp = 0;
   this->Rectangle = rectangle;
   this->TargetBefore = frame.Target;
   frame.Target = vtkOITTarget::Query();
@@ -39,6 +46,67 @@ bool vtkOITLayerTarget::Begin(vtkOITFrame& frame, const vtkOITRectangle& rectang
   const float nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
   glClearBufferfv(GL_COLOR, 0, nothing);
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITLayerTarget::BeginBeside(const vtkOITFrame& frame, const vtkOITRectangle& rectangle)
+{
+  if (!this->BesideWorks || frame.Target.Framebuffer == 0)
+  {
+    return false;
+  }
+  const vtkOITRectangle storage = frame.FindStorage(rectangle);
+  const bool isKept =
+    this->Layer.Reserve(frame.Window, storage.Width, storage.Height, 1, GL_RGBA32F);
+  if (!isKept || this->Stamp == 0 || this->Stamp == Stamps)
+  {
+    this->ClearAll(frame);
+  }
+  ++this->Stamp;
+  this->TargetBefore = frame.Target;
+  this->BesideWorks = vtkOITBindBeside(
+    frame.GLState, this->FramebufferBeside.Make(frame.Window), this->Layer.GetLayer(0));
+  return this->BesideWorks;
+}
+
+//------------------------------------------------------------------------------
+// Outside of the rectangle, too: another frame's may be there.
+void vtkOITLayerTarget::ClearAll(const vtkOITFrame& frame)
+{
+  vtkOpenGLState* state = frame.GLState;
+  const vtkOITSavedState saved(state, false);
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->FramebufferBeside.Make(frame.Window));
+  glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, 0);
+  vtkOITAttachTo(GL_COLOR_ATTACHMENT0, this->Layer.GetLayer(0));
+  vtkOITAttachTo(GL_COLOR_ATTACHMENT1, {});
+  vtkOITFramebuffer::DrawInto(1);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  const float nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+  glClearBufferfv(GL_COLOR, 0, nothing);
+  this->Stamp = 0;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITLayerTarget::GetHeaderBeside()
+{
+  return vtkOITRequireExtensions(
+           { "GL_ARB_explicit_attrib_location", "GL_ARB_shader_bit_encoding" }) +
+    "#define OIT_STAMPS " + std::to_string(Stamps) + "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkOITLayerTarget::SetUniformsBeside(vtkShaderProgram* program) const
+{
+  program->SetUniformi("oitStamp", this->Stamp);
+}
+
+//------------------------------------------------------------------------------
+// vtkOpenGLState knows of one mask for all buffers, and not of this.
+void vtkOITLayerTarget::WriteBeside(bool writes)
+{
+  const GLboolean mask = writes ? GL_TRUE : GL_FALSE;
+  glColorMaski(1, mask, mask, mask, mask);
 }
 
 //------------------------------------------------------------------------------
@@ -59,6 +127,8 @@ void vtkOITLayerTarget::Release()
 {
   this->Layer.Release();
   this->Framebuffer.Release();
+  this->FramebufferBeside.Release();
+  this->Stamp = 0;
   this->CompositeStage.Release();
 }
 
