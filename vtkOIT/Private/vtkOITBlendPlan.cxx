@@ -83,6 +83,7 @@ struct Item
   Relation Compare(const Item& other, const View& view) const;
 };
 using Items = std::vector<const Item*>;
+using Island = std::vector<Item*>;
 
 Relation Item::Compare(const Item& other, const View& view) const
 {
@@ -120,7 +121,7 @@ Relation Item::Compare(const Item& other, const View& view) const
 }
 
 /// Items whose rectangles touch each other, directly or through others.
-std::vector<Items> FindIslands(const std::vector<Item>& items)
+std::vector<Island> FindIslands(std::vector<Item>& items)
 {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < items.size(); ++i)
@@ -154,7 +155,7 @@ std::vector<Items> FindIslands(const std::vector<Item>& items)
       }
     }
   }
-  std::vector<Items> byRoot(items.size());
+  std::vector<Island> byRoot(items.size());
   for (std::size_t i = 0; i < items.size(); ++i)
   {
     if (!items[i].Extent->Rectangle.IsEmpty())
@@ -163,19 +164,33 @@ std::vector<Items> FindIslands(const std::vector<Item>& items)
     }
   }
   byRoot.erase(std::remove_if(
-                 byRoot.begin(), byRoot.end(), [](const Items& island) { return island.empty(); }),
+                 byRoot.begin(), byRoot.end(), [](const Island& island) { return island.empty(); }),
     byRoot.end());
   return byRoot;
 }
 
+/// False when one of the shapes is not known; then not all have been looked for.
+bool FindShapes(Island& island, vtkOITMeshShapes& shapes)
+{
+  for (Item* item : island)
+  {
+    item->Shape = item->Extent->IsBounded ? shapes.Find(item->Prop) : vtkOITMeshShape::Unknown;
+    if (item->Shape == vtkOITMeshShape::Unknown)
+    {
+      return false;
+    }
+    std::copy_n(item->Prop->GetBounds(), 6, item->Bounds.begin());
+  }
+  return true;
+}
+
 /// Far to near: an item is on a higher level than all items behind it that share pixels with it.
 /// Nothing when some order is not known, or there is none.
-std::vector<Items> FindLevels(const Items& island, const View& view)
+std::vector<Items> FindLevels(const Island& island, const View& view)
 {
   const std::size_t count = island.size();
-  if (count > LargestIsland ||
-    std::any_of(island.begin(), island.end(),
-      [](const Item* item) { return item->Shape == vtkOITMeshShape::Unknown; }))
+  if (std::any_of(island.begin(), island.end(),
+        [](const Item* item) { return item->Shape == vtkOITMeshShape::Unknown; }))
   {
     return {};
   }
@@ -229,7 +244,7 @@ std::vector<Items> FindLevels(const Items& island, const View& view)
   return placed == count ? levels : std::vector<Items>(); // fewer: some are in front of each other
 }
 
-int CountLayers(const Items& island)
+int CountLayers(const Island& island)
 {
   return std::accumulate(island.begin(), island.end(), 0,
     [](int layers, const Item* item) { return layers + (item->IsClosed() ? 2 : 1); });
@@ -270,28 +285,26 @@ vtkOITBlendPlan::vtkOITBlendPlan(const vtkOITFrame& frame,
   const bool hasPlainDepth = vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF &&
     IsPlain(camera) && !frame.Window->GetStereoRender();
   std::vector<Item> items(extents.size());
-  int closedProps = 0;
   for (std::size_t i = 0; i < items.size(); ++i)
   {
-    Item& item = items[i];
-    item.Prop = frame.GetProps()[i];
-    item.Extent = &extents[i];
-    if (hasPlainDepth && extents[i].IsBounded && !extents[i].Rectangle.IsEmpty())
+    items[i].Prop = frame.GetProps()[i];
+    items[i].Extent = &extents[i];
+  }
+  std::vector<Island> islands = FindIslands(items);
+  int closedProps = 0;
+  for (Island& island : islands)
+  {
+    if (hasPlainDepth && island.size() <= LargestIsland && FindShapes(island, shapes))
     {
-      item.Shape = shapes.Find(item.Prop);
-      std::copy_n(item.Prop->GetBounds(), 6, item.Bounds.begin());
-      closedProps += item.IsClosed() ? 1 : 0;
-      if (item.Shape == vtkOITMeshShape::ClosedConvexInside)
-      {
-        this->InsideOut.push_back(item.Prop);
-      }
+      closedProps += static_cast<int>(
+        std::count_if(island.begin(), island.end(), [](const Item* i) { return i->IsClosed(); }));
     }
   }
   shapes.Prune();
 
   const View view(camera);
   std::vector<Items> levels;
-  for (const Items& island : FindIslands(items))
+  for (const Island& island : islands)
   {
     const bool isTooMuch = closedProps > MostClosedProps &&
       std::any_of(island.begin(), island.end(), [](const Item* item) { return item->IsClosed(); });
@@ -305,6 +318,13 @@ vtkOITBlendPlan::vtkOITBlendPlan(const vtkOITFrame& frame,
     {
       this->NumberOfBlendedProps += static_cast<int>(island.size());
       this->MaximumLayers = std::max(this->MaximumLayers, CountLayers(island));
+      for (const Item* item : island)
+      {
+        if (item->Shape == vtkOITMeshShape::ClosedConvexInside)
+        {
+          this->InsideOut.push_back(item->Prop);
+        }
+      }
     }
     for (const Item* item : island)
     {

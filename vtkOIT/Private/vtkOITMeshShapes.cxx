@@ -11,11 +11,17 @@
 #include "vtkShaderProperty.h"
 
 #include <cmath>
+#include <cstring>
 #include <iterator>
-#include <string>
 
 namespace
 {
+/// For each prop in each frame: without a string made of it.
+bool IsCalled(vtkObjectBase* object, const char* name)
+{
+  return std::strcmp(object->GetClassName(), name) == 0;
+}
+
 /// Only the triangles of its mesh are drawn, all of them, at their own depth.
 bool DrawsPlainSurface(vtkActor* actor, vtkPolyData* mesh)
 {
@@ -32,13 +38,13 @@ vtkActor* vtkOITFindPlainActor(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
-  if (!mapper || std::string(actor->GetClassName()) != "vtkOpenGLActor")
+  if (!mapper || !IsCalled(actor, "vtkOpenGLActor"))
   {
     return nullptr;
   }
-  const std::string name = mapper->GetClassName();
   vtkShaderProperty* shader = actor->GetShaderProperty();
-  const bool isPlain = (name == "vtkOpenGLPolyDataMapper" || name == "vtkDataSetMapper") &&
+  const bool isPlain =
+    (IsCalled(mapper, "vtkOpenGLPolyDataMapper") || IsCalled(mapper, "vtkDataSetMapper")) &&
     !shader->HasVertexShaderCode() && !shader->HasFragmentShaderCode() &&
     !shader->HasGeometryShaderCode() && shader->GetNumberOfShaderReplacements() == 0;
   return isPlain ? actor : nullptr;
@@ -64,7 +70,7 @@ vtkOITMeshShape vtkOITMeshShapes::Find(vtkProp* prop)
     return vtkOITMeshShape::Unknown;
   }
   Entry& entry = this->Entries[mesh];
-  entry.IsUsed = true;
+  entry.Rest = 0;
   if (entry.Time != mesh->GetMTime())
   {
     entry.Time = mesh->GetMTime();
@@ -86,10 +92,6 @@ void vtkOITMeshShapes::Prune()
 {
   for (auto it = this->Entries.begin(); it != this->Entries.end();)
   {
-    it = it->second.IsUsed ? std::next(it) : this->Entries.erase(it);
-  }
-  for (auto& entry : this->Entries)
-  {
-    entry.second.IsUsed = false;
+    it = ++it->second.Rest > LongestRest ? this->Entries.erase(it) : std::next(it);
   }
 }

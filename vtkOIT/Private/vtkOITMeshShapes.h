@@ -21,17 +21,18 @@ public:
   /// than LargestMesh triangles.
   vtkOITMeshShape Find(vtkProp* prop);
 
-  /// Drops what no prop has asked for since the last call.
+  /// Drops what no prop has asked for in the last LongestRest calls.
   void Prune();
 
   static constexpr vtkIdType LargestMesh = 100000;
+  static constexpr int LongestRest = 100;
 
 private:
   struct Entry
   {
     vtkMTimeType Time = 0;
     vtkOITMeshShape Shape = vtkOITMeshShape::Unknown;
-    bool IsUsed = false;
+    int Rest = 0; // calls of Prune() since it was asked for
   };
   std::map<vtkPolyData*, Entry> Entries;
 };
