@@ -10,8 +10,10 @@
 #include "vtkProperty.h"
 #include "vtkShaderProperty.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <initializer_list>
 #include <iterator>
 
 namespace
@@ -31,10 +33,9 @@ bool DrawsPlainSurface(vtkActor* actor, vtkPolyData* mesh)
     !property->GetFrontfaceCulling() && mesh->GetNumberOfVerts() == 0 &&
     mesh->GetNumberOfLines() == 0 && mesh->GetNumberOfStrips() == 0;
 }
-}
 
-//------------------------------------------------------------------------------
-vtkActor* vtkOITFindPlainActor(vtkProp* prop)
+/// The actor with a mapper of one of these classes and VTK's shaders.
+vtkActor* FindActor(vtkProp* prop, std::initializer_list<const char*> mappers)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
@@ -43,11 +44,24 @@ vtkActor* vtkOITFindPlainActor(vtkProp* prop)
     return nullptr;
   }
   vtkShaderProperty* shader = actor->GetShaderProperty();
-  const bool isPlain =
-    (IsCalled(mapper, "vtkOpenGLPolyDataMapper") || IsCalled(mapper, "vtkDataSetMapper")) &&
+  const bool isPlain = std::any_of(mappers.begin(), mappers.end(),
+                         [mapper](const char* name) { return IsCalled(mapper, name); }) &&
     !shader->HasVertexShaderCode() && !shader->HasFragmentShaderCode() &&
     !shader->HasGeometryShaderCode() && shader->GetNumberOfShaderReplacements() == 0;
   return isPlain ? actor : nullptr;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkActor* vtkOITFindPlainActor(vtkProp* prop)
+{
+  return FindActor(prop, { "vtkOpenGLPolyDataMapper", "vtkDataSetMapper" });
+}
+
+//------------------------------------------------------------------------------
+vtkActor* vtkOITFindCompositeActor(vtkProp* prop)
+{
+  return FindActor(prop, { "vtkCompositePolyDataMapper", "vtkCompositePolyDataMapper2" });
 }
 
 //------------------------------------------------------------------------------

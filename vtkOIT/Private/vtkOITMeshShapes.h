@@ -41,4 +41,7 @@ private:
 /// changes of its shaders; otherwise nullptr.
 vtkActor* vtkOITFindPlainActor(vtkProp* prop);
 
+/// The same for VTK's own mappers for composite data.
+vtkActor* vtkOITFindCompositeActor(vtkProp* prop);
+
 #endif
