@@ -14,7 +14,8 @@
  * opaque geometry, which is compared pixel by pixel. The layer is kept from the second frame
  * without a change on, so frames of a moving camera cost nothing more.
  * 3. Props that need no sorting are blended (SkipSorting): islands of the screen in which all props
- *    are proven to be flat and convex, or closed and convex, and to have an order by their bounds.
+ *    are proven to be flat and convex, or closed and convex, and to have an order by their bounds,
+ *    or to be in each other.
  *    They are drawn back to front, of closed ones the far faces first: into the framebuffer where a
  *    pixel has one layer, otherwise into a float32 layer; up to 4 layers into the framebuffer with
  *    the float32 layer beside it, where shaders can read both (framebuffer fetch).

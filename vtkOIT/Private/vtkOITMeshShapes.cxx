@@ -34,6 +34,40 @@ bool DrawsPlainSurface(vtkActor* actor, vtkPolyData* mesh)
     mesh->GetNumberOfLines() == 0 && mesh->GetNumberOfStrips() == 0;
 }
 
+/// Nothing is said for a transformation that does not keep balls what they are.
+vtkOITMeshBalls Transform(const vtkOITMeshBalls& balls, vtkMatrix4x4* matrix)
+{
+  vtkOITMeshBalls result;
+  const double scale = std::cbrt(std::abs(matrix->Determinant()));
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      double product = 0.0; // of columns
+      for (int row = 0; row < 3; ++row)
+      {
+        product += matrix->GetElement(row, i) * matrix->GetElement(row, j);
+      }
+      if (!(std::abs(product - (i == j ? scale * scale : 0.0)) <= 1e-9 * scale * scale))
+      {
+        return result;
+      }
+    }
+    if (matrix->GetElement(3, i) != 0.0 || matrix->GetElement(3, 3) != 1.0)
+    {
+      return result;
+    }
+    result.Center[i] = matrix->GetElement(i, 3);
+    for (int j = 0; j < 3; ++j)
+    {
+      result.Center[i] += matrix->GetElement(i, j) * balls.Center[j];
+    }
+  }
+  result.Inner = scale * balls.Inner;
+  result.Outer = scale * balls.Outer;
+  return result;
+}
+
 /// The actor with a mapper of one of these classes and VTK's shaders.
 vtkActor* FindActor(vtkProp* prop, std::initializer_list<const char*> mappers)
 {
@@ -65,8 +99,9 @@ vtkActor* vtkOITFindCompositeActor(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
-vtkOITMeshShape vtkOITMeshShapes::Find(vtkProp* prop)
+vtkOITMeshShape vtkOITMeshShapes::Find(vtkProp* prop, vtkOITMeshBalls& balls)
 {
+  balls = {};
   vtkActor* actor = vtkOITFindPlainActor(prop);
   if (!actor || actor->GetMapper()->GetNumberOfInputConnections(0) == 0)
   {
@@ -88,8 +123,9 @@ vtkOITMeshShape vtkOITMeshShapes::Find(vtkProp* prop)
   if (entry.Time != mesh->GetMTime())
   {
     entry.Time = mesh->GetMTime();
-    entry.Shape = vtkOITFindMeshShape(mesh);
+    entry.Shape = vtkOITFindMeshShape(mesh, entry.Balls);
   }
+  balls = Transform(entry.Balls, actor->GetMatrix());
   if (determinant < 0.0 && entry.Shape == vtkOITMeshShape::ClosedConvex)
   {
     return vtkOITMeshShape::ClosedConvexInside;

@@ -18,8 +18,9 @@ class vtkOITMeshShapes
 public:
   /// As the camera sees the triangles of a prop: ...Inside for a transformation that mirrors.
   /// Unknown for props that draw anything but the surface of their mesh, and for meshes of more
-  /// than LargestMesh triangles.
-  vtkOITMeshShape Find(vtkProp* prop);
+  /// than LargestMesh triangles. `balls` in world coordinates: of closed props that are not
+  /// stretched or skewed.
+  vtkOITMeshShape Find(vtkProp* prop, vtkOITMeshBalls& balls);
 
   /// Drops what no prop has asked for in the last LongestRest calls.
   void Prune();
@@ -32,6 +33,7 @@ private:
   {
     vtkMTimeType Time = 0;
     vtkOITMeshShape Shape = vtkOITMeshShape::Unknown;
+    vtkOITMeshBalls Balls;
     int Rest = 0; // calls of Prune() since it was asked for
   };
   std::map<vtkPolyData*, Entry> Entries;
