@@ -40,7 +40,7 @@ constexpr vtkTypeInt64 SmallestLimit = INT64_C(1) << 20;  // that passes take
 
 /// Each layer that is blended with another buffer beside costs more than into the float32 layer
 /// alone; with more layers than this, more than the stage that composites it.
-constexpr int MostLayersBeside = 4;
+constexpr int MostLayersBeside = 3;
 
 /// Nothing of it is seen wherever it is. Edges have an opacity of their own from VTK 9.3 on.
 bool HasNoOpacity(vtkProp* prop)

@@ -51,7 +51,7 @@ bool vtkOITLayerTarget::Begin(vtkOITFrame& frame, const vtkOITRectangle& rectang
 //------------------------------------------------------------------------------
 bool vtkOITLayerTarget::BeginBeside(const vtkOITFrame& frame, const vtkOITRectangle& rectangle)
 {
-  if (!this->BesideWorks || frame.Target.Framebuffer == 0)
+  if (!this->CanBindBeside(frame))
   {
     return false;
   }
@@ -64,6 +64,23 @@ bool vtkOITLayerTarget::BeginBeside(const vtkOITFrame& frame, const vtkOITRectan
   }
   ++this->Stamp;
   this->TargetBefore = frame.Target;
+  return this->BindBeside(frame);
+}
+
+//------------------------------------------------------------------------------
+// What the driver has refused is not tried again.
+bool vtkOITLayerTarget::CanBindBeside(const vtkOITFrame& frame) const
+{
+  return this->BesideWorks && frame.Target.Framebuffer != 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITLayerTarget::BindBeside(const vtkOITFrame& frame)
+{
+  if (!this->CanBindBeside(frame))
+  {
+    return false;
+  }
   this->BesideWorks = vtkOITBindBeside(
     frame.GLState, this->FramebufferBeside.Make(frame.Window), this->Layer.GetLayer(0));
   return this->BesideWorks;
@@ -129,6 +146,7 @@ void vtkOITLayerTarget::Release()
   this->Framebuffer.Release();
   this->FramebufferBeside.Release();
   this->Stamp = 0;
+  this->BesideWorks = true;
   this->CompositeStage.Release();
 }
 
@@ -136,13 +154,14 @@ void vtkOITLayerTarget::Release()
 void vtkOITLayerTarget::Composite(const vtkOITFrame& frame)
 {
   const bool byFetch = vtkOITWritesByFetch(frame);
-  if (byFetch != this->ByFetch)
+  const bool beside = byFetch && this->BindBeside(frame);
+  if (byFetch != this->ByFetch || beside != this->ReadsBeside)
   {
     this->CompositeStage.Release();
     this->ByFetch = byFetch;
+    this->ReadsBeside = beside;
   }
   vtkOpenGLState* state = frame.GLState;
-  frame.DrawToFirstBufferOnly();
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(
     this->Rectangle.X, this->Rectangle.Y, this->Rectangle.Width, this->Rectangle.Height);
@@ -150,20 +169,46 @@ void vtkOITLayerTarget::Composite(const vtkOITFrame& frame)
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   vtkOITSetOutputBlending(state, byFetch);
+  if (beside)
+  {
+    WriteBeside(false);
+  }
+  else
+  {
+    frame.DrawToFirstBufferOnly();
+  }
   this->CompositeStage.Render(
-    frame.Window, vtkOITFullScreenVS,
-    [byFetch]
-    {
-      std::string text = vtkOITAutoPassCompositeFS;
-      vtkOITReplace(
-        text, "//VTK::System::Dec", "//VTK::System::Dec\n" + vtkOITGetOutputHeader(byFetch));
-      vtkOITReplace(text, "//VTK::OIT::Output", vtkOITOutputFS);
-      return text;
-    },
+    frame.Window, vtkOITFullScreenVS, [this] { return this->GetCompositeShader(); },
     [this, state](vtkShaderProgram* program)
     {
-      this->Layer.Bind(state, Unit);
-      program->SetUniformi("oitLayer", Unit);
+      if (!this->ReadsBeside)
+      {
+        this->Layer.Bind(state, Unit);
+        program->SetUniformi("oitLayer", Unit);
+      }
     });
-  vtkOITTextureArray::Unbind(state, Unit);
+  if (beside)
+  {
+    WriteBeside(true);
+    state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame.Target.Framebuffer);
+  }
+  else
+  {
+    vtkOITTextureArray::Unbind(state, Unit);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITLayerTarget::GetCompositeShader() const
+{
+  std::string header = vtkOITGetOutputHeader(this->ByFetch);
+  if (this->ReadsBeside)
+  {
+    header = vtkOITRequireExtensions({ "GL_ARB_explicit_attrib_location" }) + header +
+      "#define OIT_BESIDE\n";
+  }
+  std::string text = vtkOITAutoPassCompositeFS;
+  vtkOITReplace(text, "//VTK::System::Dec", "//VTK::System::Dec\n" + header);
+  vtkOITReplace(text, "//VTK::OIT::Output", vtkOITOutputFS);
+  return text;
 }

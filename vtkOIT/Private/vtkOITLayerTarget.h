@@ -58,6 +58,9 @@ public:
 
 private:
   void ClearAll(const vtkOITFrame& frame);
+  bool CanBindBeside(const vtkOITFrame& frame) const;
+  bool BindBeside(const vtkOITFrame& frame);
+  std::string GetCompositeShader() const;
 
   vtkOITTextureArray Layer;
   vtkOITFramebuffer Framebuffer;
@@ -65,7 +68,8 @@ private:
   vtkOITScreenStage CompositeStage;
   vtkOITRectangle Rectangle;
   vtkOITTarget TargetBefore;
-  bool ByFetch = false;
+  bool ByFetch = false;     // how CompositeStage
+  bool ReadsBeside = false; // was compiled
   bool BesideWorks = true;
   int Stamp = 0; // of the last frame drawn beside the framebuffer; 0: the layer holds other things
 };
