@@ -15,6 +15,7 @@
 #include "Private/vtkOITShaderText.h"
 #include "Private/vtkOITSorterChoice.h"
 
+#include "vtkOITAutoPassBesideFS.h"
 #include "vtkOITAutoPassBlendFS.h"
 #include "vtkOITFragmentFS.h"
 #include "vtkOITOutputFS.h"
@@ -36,6 +37,10 @@ namespace
 {
 constexpr vtkTypeInt64 LargestDefault = INT64_C(1) << 30; // 1 GiB
 constexpr vtkTypeInt64 SmallestLimit = INT64_C(1) << 20;  // that passes take
+
+/// Each layer that is blended with another buffer beside costs more than into the float32 layer
+/// alone; with more layers than this, more than the stage that composites it.
+constexpr int MostLayersBeside = 3;
 
 /// Nothing of it is seen wherever it is. Edges have an opacity of their own from VTK 9.3 on.
 bool HasNoOpacity(vtkProp* prop)
@@ -85,6 +90,8 @@ public:
   const vtkOITBlendPlan* Plan = nullptr;
   vtkOITBlendPlan::Faces Side = vtkOITBlendPlan::Faces::All;
   bool BlendsByFetch = false;
+  bool BlendsBeside = false; // into the framebuffer, with the layer beside it
+  bool ShadersBeside = false;
   vtkTimeStamp ShaderTime;
 
   std::string Summary;
@@ -251,7 +258,8 @@ bool vtkOITAutoPass::ReuseFrame(vtkOITFrame& frame)
 //------------------------------------------------------------------------------
 // Into the framebuffer, or all into a layer that is composited: when the layer is to be kept, and
 // when blending several layers in 8 bits would round each. The layer gives the same picture to the
-// last bit in float framebuffers, so it is taken there, too.
+// last bit in float framebuffers, so it is taken there, too. Few layers are blended into the
+// framebuffer with the layer beside it where that can be.
 void vtkOITAutoPass::DrawProps(vtkOITFrame& frame, bool keepsLayer)
 {
   Internals& impl = *this->Impl;
@@ -269,6 +277,7 @@ void vtkOITAutoPass::DrawProps(vtkOITFrame& frame, bool keepsLayer)
   keepsLayer = keepsLayer && forLayer + forDepth <= limit - forSorting;
   const vtkTypeInt64 needed =
     (needsLayer || keepsLayer ? forLayer : 0) + (keepsLayer ? forDepth : 0);
+  impl.BlendsBeside = false;
   bool hasLayer = impl.MakeRoom(frame, needed, forSorting, limit) && needed > 0 &&
     frame.Target.Samples == 0 && frame.Target.DepthBits > 0;
   if (hasLayer)
@@ -277,7 +286,10 @@ void vtkOITAutoPass::DrawProps(vtkOITFrame& frame, bool keepsLayer)
     {
       impl.DepthCheck.Keep(frame);
     }
-    hasLayer = impl.Layer.Begin(frame, frame.Rectangle);
+    impl.BlendsBeside = !keepsLayer && vtkOITWritesByFetch(frame) &&
+      plan->GetMaximumLayers() <= MostLayersBeside &&
+      impl.Layer.BeginBeside(frame, plan->GetBlendRectangle().Intersect(frame.Rectangle));
+    hasLayer = impl.BlendsBeside || impl.Layer.Begin(frame, frame.Rectangle);
   }
   if (needsLayer && !hasLayer)
   {
@@ -292,6 +304,11 @@ void vtkOITAutoPass::DrawProps(vtkOITFrame& frame, bool keepsLayer)
       impl.AddToSummary(std::to_string(plan->GetNumberOfBlendedProps()) + " of " +
         std::to_string(frame.GetProps().size()) + " props blended: their order is known");
       this->BlendProps(frame, *plan);
+    }
+    if (impl.BlendsBeside)
+    {
+      impl.Layer.End(frame);
+      hasLayer = false;
     }
     frame.DrawOnly(plan->GetSortedProps());
     frame.Rectangle = plan->GetSortedRectangle().Intersect(whole);
@@ -322,16 +339,21 @@ void vtkOITAutoPass::BlendProps(vtkOITFrame& frame, const vtkOITBlendPlan& plan)
   vtkOpenGLState* state = frame.GLState;
   const vtkOITSavedState saved(state, false);
   const bool byFetch = vtkOITWritesByFetch(frame);
-  if (byFetch != impl.BlendsByFetch || impl.ShaderTime.GetMTime() == 0)
+  if (byFetch != impl.BlendsByFetch || impl.BlendsBeside != impl.ShadersBeside ||
+    impl.ShaderTime.GetMTime() == 0)
   {
     impl.BlendsByFetch = byFetch;
+    impl.ShadersBeside = impl.BlendsBeside;
     impl.ShaderTime.Modified();
   }
   const vtkOITRectangle r = plan.GetBlendRectangle().Intersect(frame.Rectangle);
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(r.X, r.Y, r.Width, r.Height);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  frame.DrawToFirstBufferOnly();
+  if (!impl.BlendsBeside)
+  {
+    frame.DrawToFirstBufferOnly();
+  }
   vtkOITSetOutputBlending(state, byFetch);
   impl.Frame = &frame;
   impl.Plan = &plan;
@@ -339,7 +361,17 @@ void vtkOITAutoPass::BlendProps(vtkOITFrame& frame, const vtkOITBlendPlan& plan)
   {
     impl.Side = step.Side;
     frame.DrawOnly(step.Props);
+    const bool isTop =
+      impl.BlendsBeside && plan.EndsWithTopLayers() && &step == &plan.GetSteps().back();
+    if (isTop)
+    {
+      vtkOITLayerTarget::WriteBeside(false);
+    }
     this->RenderGeometry(frame);
+    if (isTop)
+    {
+      vtkOITLayerTarget::WriteBeside(true);
+    }
   }
   impl.Plan = nullptr;
   impl.Frame = nullptr;
@@ -377,22 +409,33 @@ bool vtkOITAutoPass::PostReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
   std::string stage = std::string(vtkOITFragmentFS) + vtkOITAutoPassBlendFS;
-  vtkOITReplace(stage, "//VTK::OIT::Output", vtkOITOutputFS);
-  const bool writesDepth = vtkOITWritesDepth(fragmentShader);
-  return vtkOITWrapFragmentShader(fragmentShader,
-    vtkOITGetOutputHeader(this->Impl->BlendsByFetch) +
-      (writesDepth ? "#define OIT_WRITES_DEPTH\n" : ""),
-    stage);
+  const Internals& impl = *this->Impl;
+  vtkOITReplace(
+    stage, "//VTK::OIT::Output", impl.ShadersBeside ? vtkOITAutoPassBesideFS : vtkOITOutputFS);
+  std::string header = vtkOITGetOutputHeader(impl.BlendsByFetch);
+  if (impl.ShadersBeside)
+  {
+    header = vtkOITLayerTarget::GetHeaderBeside() + header;
+  }
+  if (vtkOITWritesDepth(fragmentShader))
+  {
+    header += "#define OIT_WRITES_DEPTH\n";
+  }
+  return vtkOITWrapFragmentShader(fragmentShader, header, stage);
 }
 
 //------------------------------------------------------------------------------
 bool vtkOITAutoPass::SetShaderParameters(
-  vtkShaderProgram*, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
   const Internals& impl = *this->Impl;
   if (!impl.Frame)
   {
     return true;
+  }
+  if (impl.ShadersBeside)
+  {
+    impl.Layer.SetUniformsBeside(program);
   }
   vtkOpenGLState* state = impl.Frame->GLState;
   // An actor may have been told to write depth; translucent ones must not.

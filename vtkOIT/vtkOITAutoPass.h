@@ -14,9 +14,11 @@
  * opaque geometry, which is compared pixel by pixel. The layer is kept from the second frame
  * without a change on, so frames of a moving camera cost nothing more.
  * 3. Props that need no sorting are blended (SkipSorting): islands of the screen in which all props
- *    are proven to be flat and convex, or closed and convex, and to have an order by their bounds.
+ *    are proven to be flat and convex, or closed and convex, and to have an order by their bounds,
+ *    or to be in each other.
  *    They are drawn back to front, of closed ones the far faces first: into the framebuffer where a
- *    pixel has one layer, otherwise into a float32 layer.
+ *    pixel has one layer, otherwise into a float32 layer; up to 3 layers into the framebuffer with
+ *    the float32 layer beside it, where shaders can read both (framebuffer fetch).
  * 4. All others are sorted by the A-buffer. Where that cannot run: by multi-layer peeling, or with
  * a FragmentPrecision of FLOAT by dual depth peeling, which also takes over where neither of the
  *    others can run. Multi-layer peeling also takes the place of an A-buffer that would need more

@@ -281,6 +281,45 @@ std::vector<Scene> GetClosedScenes()
         AddSphere(rig, Blue, { -0.1, 0.1, -0.5 }, 0.4);
       },
       0, 2, 0, 4 },
+    { "a sphere in a sphere",
+      [](TestRig& rig)
+      {
+        AddSphere(rig, Red, { 0.0, 0.0, 0.0 }, 0.8);
+        AddSphere(rig, Blue, { 0.1, -0.1, 0.1 }, 0.4);
+      },
+      0, 2, 0, 4 },
+    { "spheres, boxes and quads in spheres, given from the inside",
+      [](TestRig& rig)
+      {
+        LookInPerspective(rig, { 0.5, 1.0, 4.0 });
+        AddBox(rig, Blue, { -0.1, -0.1, -0.3 }, { 0.1, 0.1, -0.1 });
+        AddSphere(rig, Green, { 0.0, 0.0, 0.0 }, 0.5);
+        rig.AddQuad({ 0.45f, Blue }, { 26, 18, 38, 30 });
+        AddSphere(rig, Red, { 0.1, 0.0, 0.0 }, 0.9)->SetScale(-1.0, 1.0, 1.0);
+        AddSphere(rig, Blue, { 1.2, 0.0, -2.0 }, 0.5);
+      },
+      0, 5, 0, 9, 9 },
+    { "a sphere in a stretched sphere",
+      [](TestRig& rig)
+      {
+        AddSphere(rig, Red, { 0.0, 0.0, 0.0 }, 0.4)->SetScale(2.0, 1.0, 1.0);
+        AddSphere(rig, Blue, { 0.5, 0.0, 0.0 }, 0.2);
+      },
+      0, 0, 2 },
+    { "a box whose corners look out of a sphere",
+      [](TestRig& rig)
+      {
+        AddSphere(rig, Red, { 0.0, 0.0, 0.0 }, 0.6);
+        AddBox(rig, Blue, { -0.4, -0.4, -0.4 }, { 0.4, 0.4, 0.4 });
+      },
+      0, 0, 2 },
+    { "a sphere that touches the one around it",
+      [](TestRig& rig)
+      {
+        AddSphere(rig, Red, { 0.0, 0.0, 0.0 }, 0.8);
+        AddSphere(rig, Blue, { 0.0, 0.0, 0.4 }, 0.4);
+      },
+      0, 0, 2 },
     { "crossing spheres",
       [](TestRig& rig)
       {

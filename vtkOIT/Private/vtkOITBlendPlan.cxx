@@ -3,6 +3,7 @@
 #include "vtkOITBlendPlan.h"
 
 #include "vtkOITFrame.h"
+#include "vtkOITPartialOrder.h"
 #include "vtkOITScreenRectangle.h"
 
 #include "vtkBoundingBox.h"
@@ -12,6 +13,9 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <array>
@@ -35,6 +39,8 @@ enum class Relation
   Apart, // no order is needed
   FirstInFront,
   SecondInFront,
+  FirstAround, // its far faces are behind, its near ones in front of the second
+  SecondAround,
   Unknown
 };
 
@@ -74,6 +80,7 @@ struct Item
   const vtkOITScreenExtent* Extent = nullptr;
   vtkOITMeshShape Shape = vtkOITMeshShape::Unknown;
   std::array<double, 6> Bounds{};
+  vtkOITMeshBalls Balls;
 
   bool IsClosed() const
   {
@@ -81,8 +88,33 @@ struct Item
       this->Shape == vtkOITMeshShape::ClosedConvexInside;
   }
   Relation Compare(const Item& other, const View& view) const;
+  bool IsAround(const Item& other, double gap) const;
 };
-using Items = std::vector<const Item*>;
+using Island = std::vector<Item*>;
+
+/// What is drawn of an item in one step.
+struct Part
+{
+  const Item* Whole = nullptr;
+  vtkOITBlendPlan::Faces Side = vtkOITBlendPlan::Faces::All;
+};
+using Parts = std::vector<Part>;
+
+/// Whether nothing of the other is outside of the inner ball.
+bool Item::IsAround(const Item& other, double gap) const
+{
+  const glm::dvec3 center(this->Balls.Center[0], this->Balls.Center[1], this->Balls.Center[2]);
+  const std::array<double, 3>& c = other.Balls.Center;
+  double reach = glm::distance(center, glm::dvec3(c[0], c[1], c[2])) + other.Balls.Outer;
+  double toCorner = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec3 point(other.Bounds[corner & 1], other.Bounds[2 + ((corner >> 1) & 1)],
+      other.Bounds[4 + (corner >> 2)]);
+    toCorner = std::max(toCorner, glm::distance(center, point));
+  }
+  return std::min(reach, toCorner) + gap < this->Balls.Inner;
+}
 
 Relation Item::Compare(const Item& other, const View& view) const
 {
@@ -116,11 +148,13 @@ Relation Item::Compare(const Item& other, const View& view) const
                                                            : Relation::FirstInFront;
     }
   }
-  return Relation::Unknown;
+  return this->IsAround(other, gap) ? Relation::FirstAround
+    : other.IsAround(*this, gap)    ? Relation::SecondAround
+                                    : Relation::Unknown;
 }
 
 /// Items whose rectangles touch each other, directly or through others.
-std::vector<Items> FindIslands(const std::vector<Item>& items)
+std::vector<Island> FindIslands(std::vector<Item>& items)
 {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < items.size(); ++i)
@@ -154,7 +188,7 @@ std::vector<Items> FindIslands(const std::vector<Item>& items)
       }
     }
   }
-  std::vector<Items> byRoot(items.size());
+  std::vector<Island> byRoot(items.size());
   for (std::size_t i = 0; i < items.size(); ++i)
   {
     if (!items[i].Extent->Rectangle.IsEmpty())
@@ -163,88 +197,137 @@ std::vector<Items> FindIslands(const std::vector<Item>& items)
     }
   }
   byRoot.erase(std::remove_if(
-                 byRoot.begin(), byRoot.end(), [](const Items& island) { return island.empty(); }),
+                 byRoot.begin(), byRoot.end(), [](const Island& island) { return island.empty(); }),
     byRoot.end());
   return byRoot;
 }
 
-/// Far to near: an item is on a higher level than all items behind it that share pixels with it.
-/// Nothing when some order is not known, or there is none.
-std::vector<Items> FindLevels(const Items& island, const View& view)
+/// False when one of the shapes is not known; then not all have been looked for.
+bool FindShapes(Island& island, vtkOITMeshShapes& shapes)
 {
-  const std::size_t count = island.size();
-  if (count > LargestIsland ||
-    std::any_of(island.begin(), island.end(),
-      [](const Item* item) { return item->Shape == vtkOITMeshShape::Unknown; }))
+  for (Item* item : island)
   {
-    return {};
-  }
-  std::vector<std::vector<std::size_t>> inFront(count); // of each
-  std::vector<int> behind(count, 0);                    // how many are
-  for (std::size_t a = 0; a < count; ++a)
-  {
-    for (std::size_t b = a + 1; b < count; ++b)
+    item->Shape =
+      item->Extent->IsBounded ? shapes.Find(item->Prop, item->Balls) : vtkOITMeshShape::Unknown;
+    if (item->Shape == vtkOITMeshShape::Unknown)
     {
-      const Relation relation = island[a]->Compare(*island[b], view);
-      if (relation == Relation::Unknown)
-      {
-        return {};
-      }
-      if (relation != Relation::Apart)
-      {
-        const bool isFirst = relation == Relation::FirstInFront;
-        inFront[isFirst ? b : a].push_back(isFirst ? a : b);
-        ++behind[isFirst ? a : b];
-      }
+      return false;
     }
+    std::copy_n(item->Prop->GetBounds(), 6, item->Bounds.begin());
   }
-  std::vector<Items> levels;
-  std::vector<std::size_t> next;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    if (behind[i] == 0)
-    {
-      next.push_back(i);
-    }
-  }
-  std::size_t placed = 0;
-  while (!next.empty())
-  {
-    levels.emplace_back();
-    std::vector<std::size_t> after;
-    for (const std::size_t i : next)
-    {
-      levels.back().push_back(island[i]);
-      ++placed;
-      for (const std::size_t j : inFront[i])
-      {
-        if (--behind[j] == 0)
-        {
-          after.push_back(j);
-        }
-      }
-    }
-    next.swap(after);
-  }
-  return placed == count ? levels : std::vector<Items>(); // fewer: some are in front of each other
+  return true;
 }
 
-int CountLayers(const Items& island)
+/// The most that a pixel can have: one of each part.
+int CountLayers(const Island& island)
 {
   return std::accumulate(island.begin(), island.end(), 0,
     [](int layers, const Item* item) { return layers + (item->IsClosed() ? 2 : 1); });
 }
 
-void AppendTo(std::vector<vtkOITBlendPlan::Step>& steps, const Items& items, bool areClosed,
-  vtkOITBlendPlan::Faces side)
+/// The parts of all items, and which are behind which.
+class PartOrder
+{
+public:
+  explicit PartOrder(const Island& island)
+    : Order(static_cast<std::size_t>(CountLayers(island)))
+  {
+    for (const Item* item : island)
+    {
+      this->First.push_back(this->AllParts.size());
+      if (item->IsClosed())
+      {
+        this->AllParts.push_back({ item, vtkOITBlendPlan::Faces::Far });
+        this->AllParts.push_back({ item, vtkOITBlendPlan::Faces::Near });
+        this->Order.SetBefore(this->First.back(), this->First.back() + 1);
+      }
+      else
+      {
+        this->AllParts.push_back({ item, vtkOITBlendPlan::Faces::All });
+      }
+    }
+    this->First.push_back(this->AllParts.size());
+  }
+
+  void SetBehind(std::size_t back, std::size_t front)
+  {
+    this->Order.SetBefore(this->GetLast(back), this->First[front]);
+  }
+  void SetAround(std::size_t outer, std::size_t inner)
+  {
+    this->Order.SetBefore(this->First[outer], this->First[inner]);
+    this->Order.SetBefore(this->GetLast(inner), this->GetLast(outer));
+  }
+  std::vector<Parts> FindLevels() const
+  {
+    std::vector<Parts> levels;
+    for (const vtkOITPartialOrder::Numbers& numbers : this->Order.FindLevels())
+    {
+      levels.emplace_back();
+      for (const std::size_t part : numbers)
+      {
+        levels.back().push_back(this->AllParts[part]);
+      }
+    }
+    return levels;
+  }
+
+private:
+  std::size_t GetLast(std::size_t item) const { return this->First[item + 1] - 1; }
+
+  vtkOITPartialOrder Order; // of parts
+  Parts AllParts;
+  std::vector<std::size_t> First; // part of each item, and the end
+};
+
+/// Far to near: a part is on a higher level than all parts behind it that share pixels with it.
+/// Nothing when some order is not known, or there is none.
+std::vector<Parts> FindLevels(const Island& island, const View& view)
+{
+  if (std::any_of(island.begin(), island.end(),
+        [](const Item* item) { return item->Shape == vtkOITMeshShape::Unknown; }))
+  {
+    return {};
+  }
+  PartOrder order(island);
+  for (std::size_t a = 0; a < island.size(); ++a)
+  {
+    for (std::size_t b = a + 1; b < island.size(); ++b)
+    {
+      switch (island[a]->Compare(*island[b], view))
+      {
+        case Relation::Apart:
+          break;
+        case Relation::FirstInFront:
+          order.SetBehind(b, a);
+          break;
+        case Relation::SecondInFront:
+          order.SetBehind(a, b);
+          break;
+        case Relation::FirstAround:
+          order.SetAround(a, b);
+          break;
+        case Relation::SecondAround:
+          order.SetAround(b, a);
+          break;
+        case Relation::Unknown:
+          return {};
+      }
+    }
+  }
+  return order.FindLevels();
+}
+
+void AppendTo(
+  std::vector<vtkOITBlendPlan::Step>& steps, const Parts& level, vtkOITBlendPlan::Faces side)
 {
   vtkOITBlendPlan::Step step;
   step.Side = side;
-  for (const Item* item : items)
+  for (const Part& part : level)
   {
-    if (item->IsClosed() == areClosed)
+    if (part.Side == side)
     {
-      step.Props.push_back(item->Prop);
+      step.Props.push_back(part.Whole->Prop);
     }
   }
   if (step.Props.empty())
@@ -270,32 +353,30 @@ vtkOITBlendPlan::vtkOITBlendPlan(const vtkOITFrame& frame,
   const bool hasPlainDepth = vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF &&
     IsPlain(camera) && !frame.Window->GetStereoRender();
   std::vector<Item> items(extents.size());
-  int closedProps = 0;
   for (std::size_t i = 0; i < items.size(); ++i)
   {
-    Item& item = items[i];
-    item.Prop = frame.GetProps()[i];
-    item.Extent = &extents[i];
-    if (hasPlainDepth && extents[i].IsBounded && !extents[i].Rectangle.IsEmpty())
+    items[i].Prop = frame.GetProps()[i];
+    items[i].Extent = &extents[i];
+  }
+  std::vector<Island> islands = FindIslands(items);
+  int closedProps = 0;
+  for (Island& island : islands)
+  {
+    if (hasPlainDepth && island.size() <= LargestIsland && FindShapes(island, shapes))
     {
-      item.Shape = shapes.Find(item.Prop);
-      std::copy_n(item.Prop->GetBounds(), 6, item.Bounds.begin());
-      closedProps += item.IsClosed() ? 1 : 0;
-      if (item.Shape == vtkOITMeshShape::ClosedConvexInside)
-      {
-        this->InsideOut.push_back(item.Prop);
-      }
+      closedProps += static_cast<int>(
+        std::count_if(island.begin(), island.end(), [](const Item* i) { return i->IsClosed(); }));
     }
   }
   shapes.Prune();
 
   const View view(camera);
-  std::vector<Items> levels;
-  for (const Items& island : FindIslands(items))
+  std::vector<Parts> levels;
+  for (const Island& island : islands)
   {
     const bool isTooMuch = closedProps > MostClosedProps &&
       std::any_of(island.begin(), island.end(), [](const Item* item) { return item->IsClosed(); });
-    const std::vector<Items> found = isTooMuch ? std::vector<Items>() : FindLevels(island, view);
+    const std::vector<Parts> found = isTooMuch ? std::vector<Parts>() : FindLevels(island, view);
     levels.resize(std::max(levels.size(), found.size()));
     for (std::size_t level = 0; level < found.size(); ++level)
     {
@@ -305,6 +386,13 @@ vtkOITBlendPlan::vtkOITBlendPlan(const vtkOITFrame& frame,
     {
       this->NumberOfBlendedProps += static_cast<int>(island.size());
       this->MaximumLayers = std::max(this->MaximumLayers, CountLayers(island));
+      for (const Item* item : island)
+      {
+        if (item->Shape == vtkOITMeshShape::ClosedConvexInside)
+        {
+          this->InsideOut.push_back(item->Prop);
+        }
+      }
     }
     for (const Item* item : island)
     {
@@ -316,11 +404,11 @@ vtkOITBlendPlan::vtkOITBlendPlan(const vtkOITFrame& frame,
       }
     }
   }
-  for (const Items& level : levels)
+  for (const Parts& level : levels)
   {
-    AppendTo(this->Steps, level, true, Faces::Far);
-    AppendTo(this->Steps, level, true, Faces::Near);
-    AppendTo(this->Steps, level, false, Faces::All);
+    AppendTo(this->Steps, level, Faces::Far);
+    AppendTo(this->Steps, level, Faces::Near);
+    AppendTo(this->Steps, level, Faces::All);
   }
 }
 

@@ -18,8 +18,9 @@ struct vtkOITScreenExtent;
  * Props are divided into islands, whose screen rectangles do not touch each other. An island is
  * blended when each of its props is flat or convex (vtkOITMeshShape), so its own order is known,
  * and any two of them that share pixels have a known order: their intervals of window depth are
- * disjoint, or a plane across an axis separates their bounds. Far ones come first; of closed
- * convex props the far faces before the near ones. Everything else is to be sorted.
+ * disjoint, a plane across an axis separates their bounds, or one is in a ball inside of the other,
+ * which is closed. Far ones come first; of closed convex props the far faces before the near ones,
+ * and what they enclose between. Everything else is to be sorted.
  */
 class vtkOITBlendPlan
 {
@@ -44,6 +45,11 @@ public:
   const vtkOITRectangle& GetBlendRectangle() const { return this->BlendRectangle; }
   /// The most layers that the steps can have at a pixel.
   int GetMaximumLayers() const { return this->MaximumLayers; }
+  /// Whether nothing of the last step is drawn over by another part of it.
+  bool EndsWithTopLayers() const
+  {
+    return !this->Steps.empty() && this->Steps.back().Side == Faces::Near;
+  }
   int GetNumberOfBlendedProps() const { return this->NumberOfBlendedProps; }
   /// Whether a closed convex prop is drawn with its faces pointing inwards.
   bool IsInsideOut(vtkProp* prop) const;

@@ -16,8 +16,15 @@
 #include "vtk_glew.h"
 #endif
 
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkProp3D.h"
 #include "vtkVersionMacros.h"
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+#include "vtkCompositePolyDataMapper.h"
+#else
+#include "vtkCompositePolyDataMapper2.h"
+#endif
 
 /// Props in physical or device coordinates came with VTK 9.2.
 inline bool vtkOITIsInWorldCoordinates(vtkProp3D* prop)
@@ -38,5 +45,38 @@ inline vtkInformationDoubleVectorKey* vtkOITGeneralTextureTransform()
   return vtkProp::GeneralTextureTransform();
 #endif
 }
+
+/// The mapper of composite data whose blocks have attributes of their own: it took the name of an
+/// older one in VTK 9.3.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+using vtkOITCompositeMapper = vtkCompositePolyDataMapper;
+#else
+using vtkOITCompositeMapper = vtkCompositePolyDataMapper2;
+#endif
+
+/// Whether blocks have lookup tables (VTK 9.3) or textures (VTK 9.6) of their own.
+///@{
+template <typename Attributes>
+auto vtkOITHasBlockTables(Attributes* attributes, int)
+  -> decltype(attributes->HasBlockLookupTables())
+{
+  return attributes->HasBlockLookupTables();
+}
+template <typename Attributes>
+bool vtkOITHasBlockTables(Attributes*, long)
+{
+  return false;
+}
+template <typename Attributes>
+auto vtkOITHasBlockTextures(Attributes* attributes, int) -> decltype(attributes->HasBlockTextures())
+{
+  return attributes->HasBlockTextures();
+}
+template <typename Attributes>
+bool vtkOITHasBlockTextures(Attributes*, long)
+{
+  return false;
+}
+///@}
 
 #endif

@@ -9,6 +9,9 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObject.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleVectorKey.h"
@@ -24,6 +27,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
+#include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 
 #include <cstring>
@@ -152,7 +156,8 @@ void vtkOITFrameSignature::AddProps(const vtkOITFrame& frame)
   this->Add(vtkMapper::GetResolveCoincidentTopologyPolygonOffsetFaces());
   for (vtkProp* prop : frame.GetProps())
   {
-    vtkActor* actor = vtkOITFindPlainActor(prop);
+    vtkActor* composite = vtkOITFindCompositeActor(prop);
+    vtkActor* actor = composite ? composite : vtkOITFindPlainActor(prop);
     if (!actor || actor->GetMapper()->HasObserver(vtkCommand::UpdateShaderEvent) ||
       actor->HasObserver(vtkCommand::UpdateShaderEvent) || !IsKnownProperty(actor->GetProperty()) ||
       !IsKnownProperty(actor->GetBackfaceProperty()) || !HasPlainKeys(actor) ||
@@ -178,5 +183,40 @@ void vtkOITFrameSignature::AddProps(const vtkOITFrame& frame)
       this->Add(texture->GetInput()->GetMTime());
       this->Add(texture->GetLookupTable() ? texture->GetLookupTable()->GetMTime() : 0);
     }
+    if (composite)
+    {
+      this->AddBlocks(composite->GetMapper());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The pipeline is up to date: the mapper was asked whether it is translucent.
+void vtkOITFrameSignature::AddBlocks(vtkMapper* mapper)
+{
+  auto* withAttributes = vtkOITCompositeMapper::SafeDownCast(mapper);
+  vtkCompositeDataDisplayAttributes* attributes =
+    withAttributes ? withAttributes->GetCompositeDataDisplayAttributes() : nullptr;
+  if (attributes)
+  {
+    this->Add(attributes);
+    this->Add(attributes->GetMTime());
+    this->Known =
+      this->Known && !vtkOITHasBlockTables(attributes, 0) && !vtkOITHasBlockTextures(attributes, 0);
+  }
+  vtkDataObject* data = mapper->GetInputDataObject(0, 0);
+  this->Add(data);
+  this->Add(data ? data->GetMTime() : 0);
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(data);
+  if (!blocks)
+  {
+    return;
+  }
+  const auto it = vtk::TakeSmartPointer(blocks->NewIterator());
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    this->Add(it->GetCurrentFlatIndex());
+    this->Add(it->GetCurrentDataObject());
+    this->Add(it->GetCurrentDataObject()->GetMTime());
   }
 }

@@ -8,13 +8,14 @@
 #include <cstdint>
 #include <vector>
 
+class vtkMapper;
 class vtkOITFrame;
 
 /**
  * Everything that the translucent layer of a frame is made from, as numbers, but for the depth of
  * the opaque geometry (vtkOITDepthCheck): camera, viewport, lights, and of each prop the time of
- * its last modification, that of its mapper, data, lookup table, textures and clipping planes
- * included. Frames with equal signatures have equal layers.
+ * its last modification, that of its mapper, data with all blocks, attributes of blocks, lookup
+ * table, textures and clipping planes included. Frames with equal signatures have equal layers.
  */
 class vtkOITFrameSignature
 {
@@ -24,8 +25,9 @@ public:
   vtkOITFrameSignature(const vtkOITFrame& frame, vtkMTimeType settings);
 
   /// False where a change could go unseen: props with shaders or uniforms of their own, mappers
-  /// other than VTK's for polygons, textures of properties, textures without an image, stereo,
-  /// shadows, image-based lighting, other passes that change shaders.
+  /// other than VTK's for polygons and composite data, blocks with lookup tables or textures of
+  /// their own, textures of properties, textures without an image, stereo, shadows, image-based
+  /// lighting, other passes that change shaders.
   bool IsKnown() const { return this->Known; }
 
   bool operator==(const vtkOITFrameSignature& other) const
@@ -40,6 +42,7 @@ private:
   void AddView(const vtkOITFrame& frame);
   void AddLights(const vtkOITFrame& frame);
   void AddProps(const vtkOITFrame& frame);
+  void AddBlocks(vtkMapper* mapper);
 
   std::vector<std::uint64_t> Numbers;
   bool Known = false;

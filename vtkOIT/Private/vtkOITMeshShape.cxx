@@ -36,6 +36,7 @@ public:
   bool IsClosed() const { return this->OpenEdges.empty(); }
   vtkOITMeshShape FindClosedShape() const;
   vtkOITMeshShape FindFlatShape() const;
+  vtkOITMeshBalls FindBalls(bool isOutward) const; // of closed convex ones
 
 private:
   int GetNumberOfEdges() const { return static_cast<int>(this->Corners.size()); }
@@ -267,6 +268,34 @@ vtkOITMeshShape Mesh::FindClosedShape() const
 }
 
 //------------------------------------------------------------------------------
+// No triangle is nearer than its plane. Around the mean of the corners, which is inside.
+vtkOITMeshBalls Mesh::FindBalls(bool isOutward) const
+{
+  glm::dvec3 center(0.0);
+  for (const glm::dvec3& point : this->Points)
+  {
+    center += point / static_cast<double>(this->Points.size());
+  }
+  vtkOITMeshBalls balls;
+  balls.Center = { center.x, center.y, center.z };
+  balls.Outer = 0.0;
+  for (const glm::dvec3& point : this->Points)
+  {
+    balls.Outer = std::max(balls.Outer, glm::distance(point, center));
+  }
+  balls.Inner = balls.Outer;
+  for (int e = 0; e < this->GetNumberOfEdges(); e += 3)
+  {
+    const glm::dvec3 normal = glm::normalize(this->GetNormal(e));
+    const double depth = glm::dot(this->From(e) - center, isOutward ? normal : -normal);
+    balls.Inner = std::min(balls.Inner, depth);
+  }
+  balls.Inner = std::max(0.0, balls.Inner - this->Tolerance);
+  balls.Outer += this->Tolerance;
+  return balls;
+}
+
+//------------------------------------------------------------------------------
 vtkOITMeshShape Mesh::FindFlatShape() const
 {
   glm::dvec3 normal(0.0); // the mean: that of one small triangle is not exact enough far from it
@@ -326,6 +355,14 @@ vtkOITMeshShape Mesh::FindFlatShape() const
 //------------------------------------------------------------------------------
 vtkOITMeshShape vtkOITFindMeshShape(vtkPolyData* polydata)
 {
+  vtkOITMeshBalls balls;
+  return vtkOITFindMeshShape(polydata, balls);
+}
+
+//------------------------------------------------------------------------------
+vtkOITMeshShape vtkOITFindMeshShape(vtkPolyData* polydata, vtkOITMeshBalls& balls)
+{
+  balls = {};
   if (polydata->GetNumberOfPolys() == 0)
   {
     return vtkOITMeshShape::Unknown;
@@ -335,5 +372,14 @@ vtkOITMeshShape vtkOITFindMeshShape(vtkPolyData* polydata)
   {
     return vtkOITMeshShape::Unknown;
   }
-  return mesh.IsClosed() ? mesh.FindClosedShape() : mesh.FindFlatShape();
+  if (!mesh.IsClosed())
+  {
+    return mesh.FindFlatShape();
+  }
+  const vtkOITMeshShape shape = mesh.FindClosedShape();
+  if (shape != vtkOITMeshShape::Unknown)
+  {
+    balls = mesh.FindBalls(shape == vtkOITMeshShape::ClosedConvex);
+  }
+  return shape;
 }

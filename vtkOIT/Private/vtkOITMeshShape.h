@@ -3,6 +3,9 @@
 #ifndef vtkOITMeshShape_h
 #define vtkOITMeshShape_h
 
+#include <array>
+#include <limits>
+
 class vtkPolyData;
 
 /// What is proven of a mesh, and so of the fragments that it can have at a pixel.
@@ -12,6 +15,15 @@ enum class vtkOITMeshShape
   FlatConvex,        // one flat patch with a convex outline: one fragment
   ClosedConvex,      // the surface of a convex body: one front face before one back face
   ClosedConvexInside // the same, with faces that point inwards
+};
+
+/// Two balls around one point: nothing of a closed mesh is in the inner one, which lies inside of
+/// it, nor outside of the outer one. An inner radius of 0 and an infinite outer one say nothing.
+struct vtkOITMeshBalls
+{
+  std::array<double, 3> Center{};
+  double Inner = 0.0;
+  double Outer = std::numeric_limits<double>::infinity();
 };
 
 /**
@@ -33,5 +45,8 @@ enum class vtkOITMeshShape
  * lines are Unknown.
  */
 vtkOITMeshShape vtkOITFindMeshShape(vtkPolyData* mesh);
+
+/// The same with the balls of closed convex meshes.
+vtkOITMeshShape vtkOITFindMeshShape(vtkPolyData* mesh, vtkOITMeshBalls& balls);
 
 #endif

@@ -10,12 +10,20 @@
 #include "vtkProperty.h"
 #include "vtkShaderProperty.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <initializer_list>
 #include <iterator>
-#include <string>
 
 namespace
 {
+/// For each prop in each frame: without a string made of it.
+bool IsCalled(vtkObjectBase* object, const char* name)
+{
+  return std::strcmp(object->GetClassName(), name) == 0;
+}
+
 /// Only the triangles of its mesh are drawn, all of them, at their own depth.
 bool DrawsPlainSurface(vtkActor* actor, vtkPolyData* mesh)
 {
@@ -25,28 +33,75 @@ bool DrawsPlainSurface(vtkActor* actor, vtkPolyData* mesh)
     !property->GetFrontfaceCulling() && mesh->GetNumberOfVerts() == 0 &&
     mesh->GetNumberOfLines() == 0 && mesh->GetNumberOfStrips() == 0;
 }
+
+/// Nothing is said for a transformation that does not keep balls what they are.
+vtkOITMeshBalls Transform(const vtkOITMeshBalls& balls, vtkMatrix4x4* matrix)
+{
+  vtkOITMeshBalls result;
+  const double scale = std::cbrt(std::abs(matrix->Determinant()));
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      double product = 0.0; // of columns
+      for (int row = 0; row < 3; ++row)
+      {
+        product += matrix->GetElement(row, i) * matrix->GetElement(row, j);
+      }
+      if (!(std::abs(product - (i == j ? scale * scale : 0.0)) <= 1e-9 * scale * scale))
+      {
+        return result;
+      }
+    }
+    if (matrix->GetElement(3, i) != 0.0 || matrix->GetElement(3, 3) != 1.0)
+    {
+      return result;
+    }
+    result.Center[i] = matrix->GetElement(i, 3);
+    for (int j = 0; j < 3; ++j)
+    {
+      result.Center[i] += matrix->GetElement(i, j) * balls.Center[j];
+    }
+  }
+  result.Inner = scale * balls.Inner;
+  result.Outer = scale * balls.Outer;
+  return result;
+}
+
+/// The actor with a mapper of one of these classes and VTK's shaders.
+vtkActor* FindActor(vtkProp* prop, std::initializer_list<const char*> mappers)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+  if (!mapper || !IsCalled(actor, "vtkOpenGLActor"))
+  {
+    return nullptr;
+  }
+  vtkShaderProperty* shader = actor->GetShaderProperty();
+  const bool isPlain = std::any_of(mappers.begin(), mappers.end(),
+                         [mapper](const char* name) { return IsCalled(mapper, name); }) &&
+    !shader->HasVertexShaderCode() && !shader->HasFragmentShaderCode() &&
+    !shader->HasGeometryShaderCode() && shader->GetNumberOfShaderReplacements() == 0;
+  return isPlain ? actor : nullptr;
+}
 }
 
 //------------------------------------------------------------------------------
 vtkActor* vtkOITFindPlainActor(vtkProp* prop)
 {
-  auto* actor = vtkActor::SafeDownCast(prop);
-  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
-  if (!mapper || std::string(actor->GetClassName()) != "vtkOpenGLActor")
-  {
-    return nullptr;
-  }
-  const std::string name = mapper->GetClassName();
-  vtkShaderProperty* shader = actor->GetShaderProperty();
-  const bool isPlain = (name == "vtkOpenGLPolyDataMapper" || name == "vtkDataSetMapper") &&
-    !shader->HasVertexShaderCode() && !shader->HasFragmentShaderCode() &&
-    !shader->HasGeometryShaderCode() && shader->GetNumberOfShaderReplacements() == 0;
-  return isPlain ? actor : nullptr;
+  return FindActor(prop, { "vtkOpenGLPolyDataMapper", "vtkDataSetMapper" });
 }
 
 //------------------------------------------------------------------------------
-vtkOITMeshShape vtkOITMeshShapes::Find(vtkProp* prop)
+vtkActor* vtkOITFindCompositeActor(vtkProp* prop)
 {
+  return FindActor(prop, { "vtkCompositePolyDataMapper", "vtkCompositePolyDataMapper2" });
+}
+
+//------------------------------------------------------------------------------
+vtkOITMeshShape vtkOITMeshShapes::Find(vtkProp* prop, vtkOITMeshBalls& balls)
+{
+  balls = {};
   vtkActor* actor = vtkOITFindPlainActor(prop);
   if (!actor || actor->GetMapper()->GetNumberOfInputConnections(0) == 0)
   {
@@ -64,12 +119,13 @@ vtkOITMeshShape vtkOITMeshShapes::Find(vtkProp* prop)
     return vtkOITMeshShape::Unknown;
   }
   Entry& entry = this->Entries[mesh];
-  entry.IsUsed = true;
+  entry.Rest = 0;
   if (entry.Time != mesh->GetMTime())
   {
     entry.Time = mesh->GetMTime();
-    entry.Shape = vtkOITFindMeshShape(mesh);
+    entry.Shape = vtkOITFindMeshShape(mesh, entry.Balls);
   }
+  balls = Transform(entry.Balls, actor->GetMatrix());
   if (determinant < 0.0 && entry.Shape == vtkOITMeshShape::ClosedConvex)
   {
     return vtkOITMeshShape::ClosedConvexInside;
@@ -86,10 +142,6 @@ void vtkOITMeshShapes::Prune()
 {
   for (auto it = this->Entries.begin(); it != this->Entries.end();)
   {
-    it = it->second.IsUsed ? std::next(it) : this->Entries.erase(it);
-  }
-  for (auto& entry : this->Entries)
-  {
-    entry.second.IsUsed = false;
+    it = ++it->second.Rest > LongestRest ? this->Entries.erase(it) : std::next(it);
   }
 }

@@ -14,4 +14,8 @@ class vtkOpenGLState;
 bool vtkOITBindWithSharedDepth(
   vtkOpenGLState* state, GLuint framebuffer, const vtkOITAttachment& color);
 
+/// The same, for drawing into what the framebuffer that was bound before draws into, at
+/// GL_COLOR_ATTACHMENT0, and into `color` at GL_COLOR_ATTACHMENT1.
+bool vtkOITBindBeside(vtkOpenGLState* state, GLuint framebuffer, const vtkOITAttachment& color);
+
 #endif

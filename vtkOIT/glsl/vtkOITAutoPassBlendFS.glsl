@@ -11,12 +11,17 @@
 void main()
 {
   oitShade();
-  vec4 color = oitGetColor();
 #ifdef OIT_FRAMEBUFFER_FETCH
-  if (color.a == 0.0)
+  // A mean of colours cannot overflow, and the target clamps it: they may be infinite.
+  float opacity = oitFragColor.a > 0.0 ? min(oitFragColor.a, 1.0) : 0.0;
+  if (opacity == 0.0)
   {
     return;
   }
-#endif
+  vec3 color = mix(oitFragColor.rgb, vec3(0.0), isnan(oitFragColor.rgb));
+  oitWrite(opacity * color, 1.0 - opacity);
+#else
+  vec4 color = oitGetColor();
   oitWrite(color.a * color.rgb, 1.0 - color.a);
+#endif
 }
