@@ -19,7 +19,8 @@
  *    `T -= T α` in float32, over what the framebuffer holds.
  * 3. The counters and the depth complexity of tiles are read back. Tiles with pixels that had more
  *    fragments than expected are drawn again for these pixels; longer lists and coincident
- *    fragments are merge-sorted in place and composited.
+ *    fragments are merge-sorted in place and composited. Lists that were drawn in order, in either
+ *    direction, are not merged.
  * 4. When the pool was too small, Resolve has drawn nothing; the pool grows to the size that was
  *    counted and the frame is rendered again. Where it may not grow (MaximumBufferSize, limits of
  *    the context) the rectangle is rendered in bands that fit. The next frame starts with what was

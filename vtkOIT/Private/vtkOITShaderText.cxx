@@ -144,6 +144,7 @@ std::string vtkOITRegisterSort(int size)
     os << "OIT_LOAD(" << i << ")\n";
   }
   WriteSortingNetwork(os, size);
+  os << "OITFragment last = f0;\n";
   for (int i = 0; i < size; ++i)
   {
     os << "OIT_LINK(" << i << ")\n";
