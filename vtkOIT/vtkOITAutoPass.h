@@ -70,6 +70,14 @@ public:
   vtkBooleanMacro(SkipSorting, bool);
   ///@}
 
+  /// Let the A-buffer leave out fragments behind those of opacity 1, where that pays: see
+  /// vtkOITABufferPass::SetSkipHiddenFragments(). Lossless. Default on.
+  ///@{
+  vtkSetMacro(SkipHiddenFragments, bool);
+  vtkGetMacro(SkipHiddenFragments, bool);
+  vtkBooleanMacro(SkipHiddenFragments, bool);
+  ///@}
+
   /// Composite the last frame's layer again when nothing has changed. Lossless up to 2^-23.
   /// Default on.
   ///@{
@@ -115,6 +123,7 @@ protected:
 
   bool SkipInvisibleProps = true;
   bool SkipSorting = true;
+  bool SkipHiddenFragments = true;
   bool ReuseFrames = true;
   double TransmittanceThreshold = 1.0 / 512.0;
 
