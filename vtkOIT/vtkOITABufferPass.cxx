@@ -84,6 +84,7 @@ void vtkOITABufferPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SkipHiddenFragments: " << this->SkipHiddenFragments << "\n"
+     << indent << "TransmittanceThreshold: " << this->TransmittanceThreshold << "\n"
      << indent << "SkippedHiddenFragments: " << this->GetSkippedHiddenFragments() << "\n";
 }
 
@@ -167,6 +168,7 @@ void vtkOITABufferPass::RenderTranslucent(vtkOITFrame& frame)
       impl.DepthCopy.Release();
     }
   }
+  impl.Resolver.SetThreshold(static_cast<float>(this->TransmittanceThreshold));
   impl.ChooseCapture(frame, this->MaximumBufferSize);
   impl.HasSolidDepth = this->DrawSolidDepth(frame);
   impl.Bands.Begin(frame.Rectangle, largestBand);
@@ -241,7 +243,7 @@ vtkTypeInt64 vtkOITABufferPass::RenderBand(vtkOITFrame& frame)
     {
       const std::int64_t nodes = counters.NodeCount;
       this->AddStatistics(impl.HeadInTarget ? counters.FragmentCount : nodes,
-        *std::max_element(counters.Tiles.begin(), counters.Tiles.end()));
+        *std::max_element(counters.Tiles.begin(), counters.Tiles.end()), counters.Skipped);
       return std::min(nodes, capacity);
     }
     // A count that is not beyond the capacity has wrapped around 2^32.
@@ -320,8 +322,11 @@ vtkOITFragmentStore::Counters vtkOITABufferPass::Internals::Resolve(const vtkOIT
 }
 
 //------------------------------------------------------------------------------
-void vtkOITABufferPass::AddStatistics(vtkTypeInt64 fragments, vtkTypeInt64 depthComplexity)
+void vtkOITABufferPass::AddStatistics(
+  vtkTypeInt64 fragments, vtkTypeInt64 depthComplexity, double skipped)
 {
+  this->Exact = this->Exact && skipped == 0.0;
+  this->ErrorBound = std::max(this->ErrorBound, skipped);
   this->NumberOfFragments += fragments;
   this->MaximumDepthComplexity =
     std::max(this->MaximumDepthComplexity, static_cast<int>(depthComplexity));

@@ -41,7 +41,7 @@
  * framebuffer, pixels take nodes by fours. Needs GL 4.3
  * with ARB_clear_texture (any GL 4.4, Mesa's llvmpipe).
  *
- * Exact: yes. Colours are stored as half floats by default: an error of at most 2^-11 of each
+ * Exact: yes, unless TransmittanceThreshold is set. Colours are stored as half floats by default: an error of at most 2^-11 of each
  * colour and opacity, clamped to [0, 65504]; FLOAT keeps them as they are. Limits: a prop whose
  * mapper knows nothing of vtkOpenGLRenderPass draws nothing.
  *
@@ -76,6 +76,16 @@ public:
   vtkSetMacro(SkipHiddenFragments, bool);
   vtkGetMacro(SkipHiddenFragments, bool);
   vtkBooleanMacro(SkipHiddenFragments, bool);
+  ///@}
+
+  /// Lists of more than 32 fragments are composited up to the first behind which the transmittance
+  /// is at most this. Then the nearest 24 can do without sorting all. In [0, 1], default 0: only what
+  /// is behind an opacity of 1, so the result is exact. 1/512 is half a step of 8 bits. Coincident
+  /// fragments make shorter lists count, too. GetErrorBound() is the largest transmittance in front
+  /// of what was skipped.
+  ///@{
+  vtkSetClampMacro(TransmittanceThreshold, double, 0.0, 1.0);
+  vtkGetMacro(TransmittanceThreshold, double);
   ///@}
 
   /// Whether the last frame left out hidden fragments: GetNumberOfFragments(),
@@ -113,6 +123,7 @@ protected:
   std::string FindMissingCapability(const vtkOITCapabilities& capabilities) override;
 
   bool SkipHiddenFragments = true;
+  double TransmittanceThreshold = 0.0;
 
 private:
   vtkOITABufferPass(const vtkOITABufferPass&) = delete;
@@ -120,7 +131,7 @@ private:
 
   bool DrawSolidDepth(vtkOITFrame& frame);
   vtkTypeInt64 RenderBand(vtkOITFrame& frame);
-  void AddStatistics(vtkTypeInt64 fragments, vtkTypeInt64 depthComplexity);
+  void AddStatistics(vtkTypeInt64 fragments, vtkTypeInt64 depthComplexity, double skipped);
 
   class Internals;
   std::unique_ptr<Internals> Impl;

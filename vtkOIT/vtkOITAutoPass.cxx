@@ -373,6 +373,7 @@ void vtkOITAutoPass::SortProps(vtkOITFrame& frame)
   if (abuffer)
   {
     abuffer->SetSkipHiddenFragments(this->SkipHiddenFragments);
+    abuffer->SetTransmittanceThreshold(this->TransmittanceThreshold);
   }
   this->RenderBy(pass, frame);
   if (abuffer && abuffer->GetSkippedHiddenFragments())

@@ -99,8 +99,7 @@ vtkOITFragmentStore::Counters vtkOITABufferResolver::Resolve(
     {
       glMemoryBarrier(Barriers);
       this->DrawTiles(this->SecondChanceStage, frame, store, TilesToTryAgain,
-        [this]
-        { return this->Shaders.GetResolve(vtkOITABufferShaders::NetworkSizes.back(), true); });
+        [this] { return this->Shaders.GetSecondChance(); });
       counters = store.ReadCounters();
       if (counters.Marks & vtkOITFragmentStore::HasLists)
       {
@@ -158,7 +157,7 @@ void vtkOITABufferResolver::DrawExpected(const vtkOITFrame& frame, const vtkOITF
     if (isNeeded)
     {
       this->DrawTiles(this->ResolveStages[i], frame, store, { smallest, largest },
-        [this, size] { return this->Shaders.GetResolve(size, false); });
+        [this, size] { return this->Shaders.GetResolve(size); });
     }
     smallest = largest + (isLast ? 0 : 1);
   }
@@ -166,7 +165,7 @@ void vtkOITABufferResolver::DrawExpected(const vtkOITFrame& frame, const vtkOITF
 
 //------------------------------------------------------------------------------
 void vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
-  const vtkOITFragmentStore::Counters& counters, const std::array<int, 2>& tileClass)
+  vtkOITFragmentStore::Counters& counters, const std::array<int, 2>& tileClass)
 {
   const std::uint32_t longest = *std::max_element(counters.Tiles.begin(), counters.Tiles.end());
   if (longest == 0)
@@ -190,6 +189,10 @@ void vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame, const vtkOITFrag
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   this->DrawTiles(
     this->CompositeStage, frame, store, tileClass, [this] { return this->Shaders.GetComposite(); });
+  if (this->Threshold > 0.0f)
+  {
+    counters.Skipped = store.ReadSkipped();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -207,6 +210,7 @@ void vtkOITABufferResolver::DrawTiles(vtkOITScreenStage& stage, const vtkOITFram
     program->SetUniformi("oitExpectedTexels", TileUnit + 1);
     program->SetUniform2i("oitTileDimensions", dimensions);
     program->SetUniform2i("oitTileClass", tileClass.data());
+    program->SetUniformf("oitThreshold", this->Threshold);
     if (setMore)
     {
       setMore(program);

@@ -11,7 +11,8 @@
 // The rounding error of T -= T alpha is kept and added again (Kahan, Further remarks on reducing
 // truncation errors, CACM 1965): a thousand layers of opacity 1e-6 would be 1 % off without. Not for
 // the first 32, which are blended as Resolve would: what it has behind a group of opacity 1, or has
-// not, does not change the picture then. Nothing is seen behind such a group, so it ends the walk.
+// not, does not change the picture then. Nothing is seen behind such a group, so it ends the walk,
+// as does a transmittance of at most the threshold.
 
 //VTK::OIT::Node
 //VTK::OIT::Read
@@ -35,6 +36,8 @@
   }
 
 const uint OIT_PLAIN_GROUPS = 32u; // the first is empty; the error of the last one counts behind it
+
+uniform float oitThreshold; // of the transmittance
 
 void main()
 {
@@ -61,7 +64,7 @@ void main()
   uint members = 0u;
   vec3 latest = vec3(0.0);
   uint groups = 0u;
-  while (node != OIT_END && transmittance > 0.0)
+  while (node != OIT_END && transmittance > oitThreshold)
   {
     OITFragment fragment = oitRead(node);
     node = fragment.Next;
@@ -84,6 +87,13 @@ void main()
       ++members;
     }
   }
-  OIT_BLEND_GROUP
+  if (transmittance > oitThreshold)
+  {
+    OIT_BLEND_GROUP
+  }
+  else if (transmittance > 0.0)
+  {
+    atomicMax(oitSkipped, floatBitsToUint(transmittance));
+  }
   oitWrite(color, transmittance);
 }
