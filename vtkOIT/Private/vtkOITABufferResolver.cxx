@@ -95,16 +95,16 @@ vtkOITFragmentStore::Counters vtkOITABufferResolver::Resolve(
   {
     this->DrawExpected(frame, store, expected);
     counters = store.ReadCounters();
-    if (!counters.Overflow && counters.Marks != 0)
+    if (!counters.Overflow && (counters.Marks & vtkOITFragmentStore::TryAgain))
     {
       glMemoryBarrier(Barriers);
       this->DrawTiles(this->SecondChanceStage, frame, store, TilesToTryAgain,
         [this] { return this->Shaders.GetSecondChance(); });
       counters = store.ReadCounters();
-      if (counters.Marks & vtkOITFragmentStore::HasLists)
-      {
-        this->DrawLists(frame, store, counters, TilesWithLists);
-      }
+    }
+    if (!counters.Overflow && (counters.Marks & vtkOITFragmentStore::HasLists))
+    {
+      this->DrawLists(frame, store, counters, TilesWithLists);
     }
     if (!counters.Overflow)
     {
@@ -146,20 +146,27 @@ void vtkOITABufferResolver::DrawExpected(const vtkOITFrame& frame, const vtkOITF
   const std::vector<std::uint32_t>& expected)
 {
   int smallest = 0;
+  const auto isNeeded = [&](int largest)
+  {
+    return std::any_of(expected.begin(), expected.end(),
+      [=](std::uint32_t count)
+      { return smallest <= static_cast<int>(count) && static_cast<int>(count) <= largest; });
+  };
   for (std::size_t i = 0; i < this->ResolveStages.size(); ++i)
   {
     const int size = vtkOITABufferShaders::NetworkSizes[i];
-    const bool isLast = i + 1 == this->ResolveStages.size();
-    const int largest = isLast ? std::numeric_limits<int>::max() : size;
-    const bool isNeeded = std::any_of(expected.begin(), expected.end(),
-      [=](std::uint32_t count)
-      { return smallest <= static_cast<int>(count) && static_cast<int>(count) <= largest; });
-    if (isNeeded)
+    if (isNeeded(size))
     {
-      this->DrawTiles(this->ResolveStages[i], frame, store, { smallest, largest },
+      this->DrawTiles(this->ResolveStages[i], frame, store, { smallest, size },
         [this, size] { return this->Shaders.GetResolve(size); });
     }
-    smallest = largest + (isLast ? 0 : 1);
+    smallest = size + 1;
+  }
+  constexpr int largest = std::numeric_limits<int>::max();
+  if (isNeeded(largest))
+  {
+    this->DrawTiles(this->SecondChanceStage, frame, store, { smallest, largest },
+      [this] { return this->Shaders.GetSecondChance(); });
   }
 }
 

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // SecondChance: for pixels that Resolve left, in the tiles that it marked, with the largest network.
+// Also the first try of tiles that are expected to have more fragments than that takes.
 //
 // Longer lists are read to their end, keeping the nearest OIT_KEPT fragments: as long as the
 // transmittance behind them is at most the threshold, which 0 is when one of them has opacity 1,
@@ -17,7 +18,7 @@
 //VTK::OIT::RegisterMacros
 
 uniform float oitThreshold; // of the transmittance
-flat in int oitNetworkSize; // of the first try
+flat in int oitNetworkSize; // of the first try; -1: this is the first
 
 // As it is blended, to the bit; not the last one kept, which might coincide with one that was not.
 #define OIT_THIN(i) thin -= thin * oitUnpack(color##i).a;
@@ -53,9 +54,10 @@ void main()
     node = oitLoadNext(OIT_WORD(node));
   }
   atomicMax(oitTiles[oitFindTile()].Marked, count);
-  bool wasIncomplete = count > uint(oitNetworkSize);
+  bool wasIncomplete = int(count) > oitNetworkSize;
   if (wasIncomplete)
   {
+    atomicMax(oitTiles[oitFindTile()].Complexity, count); // of no effect on marks
     atomicAdd(oitTiles[oitFindTile()].Fragments, count);
   }
   if (isLeft)
@@ -63,7 +65,7 @@ void main()
     imageStore(oitHeads, pixel, uvec4(head | OIT_LEFT));
     atomicOr(oitTiles[oitFindTile()].Complexity, OIT_HAS_LISTS);
   }
-  if (isLeft || !(isTied || wasIncomplete))
+  if (isLeft || !(isTied || wasIncomplete) || head == OIT_END)
   {
     discard;
   }
