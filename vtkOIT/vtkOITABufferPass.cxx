@@ -13,6 +13,8 @@
 #include "Private/vtkOITFrame.h"
 #include "Private/vtkOITOutput.h"
 #include "Private/vtkOITSavedState.h"
+#include "Private/vtkOITSolidDepth.h"
+#include "Private/vtkOITTrial.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -52,6 +54,8 @@ public:
 
   vtkOITFragmentStore Store;
   vtkOITDepthCopy DepthCopy;
+  vtkOITSolidDepth SolidDepth;
+  vtkOITTrial Trial; // of leaving out hidden fragments
   vtkOITABufferShaders Shaders;
   vtkTimeStamp ShaderTime;
   vtkOITABufferResolver Resolver;
@@ -60,6 +64,7 @@ public:
   vtkOITRectangle Band;
   const vtkOITFrame* Frame = nullptr;
   bool HasDepthCopy = false;
+  bool HasSolidDepth = false; // Gather tests against it instead of the framebuffer's
   bool HeadInTarget = false; // list heads by framebuffer fetch instead of image atomics
   bool HeadInTargetWorks = true;
   bool IsWhole = false; // the last frame was drawn in one band, which the store still holds
@@ -78,6 +83,15 @@ vtkOITABufferPass::~vtkOITABufferPass() = default;
 void vtkOITABufferPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "SkipHiddenFragments: " << this->SkipHiddenFragments << "\n"
+     << indent << "TransmittanceThreshold: " << this->TransmittanceThreshold << "\n"
+     << indent << "SkippedHiddenFragments: " << this->GetSkippedHiddenFragments() << "\n";
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITABufferPass::GetSkippedHiddenFragments() const
+{
+  return this->Impl->HasSolidDepth;
 }
 
 //------------------------------------------------------------------------------
@@ -92,6 +106,8 @@ void vtkOITABufferPass::ReleaseGraphicsResources(vtkWindow* window)
   Internals& impl = *this->Impl;
   impl.Store.Release();
   impl.DepthCopy.Release();
+  impl.SolidDepth.Release();
+  impl.Trial.Reset();
   impl.Resolver.Release();
   this->Superclass::ReleaseGraphicsResources(window);
 }
@@ -131,7 +147,8 @@ std::int64_t vtkOITABufferPass::Internals::GetLargestPool(
   const std::int64_t depth =
     this->HeadInTarget ? 0 : vtkOITDepthCopy::GetBytes(highest, frame.Target);
   return std::min(
-    bytes, maximumBytes - heads - vtkOITFragmentStore::GetFixedBytes(highest) - depth);
+    bytes, maximumBytes - heads - vtkOITFragmentStore::GetFixedBytes(highest) - depth -
+      this->SolidDepth.GetSizeInBytes());
 }
 
 //------------------------------------------------------------------------------
@@ -151,7 +168,9 @@ void vtkOITABufferPass::RenderTranslucent(vtkOITFrame& frame)
       impl.DepthCopy.Release();
     }
   }
+  impl.Resolver.SetThreshold(static_cast<float>(this->TransmittanceThreshold));
   impl.ChooseCapture(frame, this->MaximumBufferSize);
+  impl.HasSolidDepth = this->DrawSolidDepth(frame);
   impl.Bands.Begin(frame.Rectangle, largestBand);
   while (impl.Bands.GetNext(impl.Band))
   {
@@ -166,9 +185,35 @@ void vtkOITABufferPass::RenderTranslucent(vtkOITFrame& frame)
   {
     impl.Bands.Forget();
   }
-  this->BufferSizeInBytes = impl.Store.GetSizeInBytes() + impl.DepthCopy.GetSizeInBytes();
+  impl.Trial.Note(this->NumberOfFragments);
+  this->BufferSizeInBytes = impl.Store.GetSizeInBytes() + impl.DepthCopy.GetSizeInBytes() +
+    impl.SolidDepth.GetSizeInBytes();
   impl.IsWhole = impl.Band == frame.Rectangle;
   impl.Frame = nullptr;
+}
+
+//------------------------------------------------------------------------------
+// False when hidden fragments are not left out of this frame.
+bool vtkOITABufferPass::DrawSolidDepth(vtkOITFrame& frame)
+{
+  Internals& impl = *this->Impl;
+  const std::int64_t bytes = vtkOITSolidDepth::GetBytes(frame);
+  const std::int64_t held = impl.Store.GetSizeInBytes() + impl.DepthCopy.GetSizeInBytes();
+  const bool hasRoom = this->MaximumBufferSize == 0 ||
+    (bytes <= this->MaximumBufferSize / 8 && held + bytes <= this->MaximumBufferSize);
+  std::vector<vtkProp*> props;
+  if (this->SkipHiddenFragments && hasRoom && frame.Target.Samples == 0 &&
+    frame.Target.Framebuffer != 0 && frame.Target.DepthBits > 0)
+  {
+    props = vtkOITFindSolidProps(frame.GetProps());
+  }
+  if (!impl.Trial.Choose(static_cast<std::int64_t>(props.size())))
+  {
+    impl.SolidDepth.Release();
+    return false;
+  }
+  ++this->NumberOfGeometryPasses;
+  return impl.SolidDepth.Render(frame, this->TranslucentPass, props, DepthUnit);
 }
 
 //------------------------------------------------------------------------------
@@ -198,7 +243,7 @@ vtkTypeInt64 vtkOITABufferPass::RenderBand(vtkOITFrame& frame)
     {
       const std::int64_t nodes = counters.NodeCount;
       this->AddStatistics(impl.HeadInTarget ? counters.FragmentCount : nodes,
-        *std::max_element(counters.Tiles.begin(), counters.Tiles.end()));
+        *std::max_element(counters.Tiles.begin(), counters.Tiles.end()), counters.Skipped);
       return std::min(nodes, capacity);
     }
     // A count that is not beyond the capacity has wrapped around 2^32.
@@ -245,9 +290,14 @@ bool vtkOITABufferPass::Internals::Begin(const vtkOITFrame& frame)
   const GLboolean writesHeads = this->HeadInTarget ? GL_TRUE : GL_FALSE;
   state->vtkglColorMask(writesHeads, writesHeads, writesHeads, writesHeads);
   state->vtkglDepthMask(GL_FALSE);
+  if (this->HasSolidDepth)
+  {
+    this->SolidDepth.Bind(frame);
+  }
   if (this->HeadInTarget && !this->Store.BindHeadFramebuffer(state))
   {
     this->HeadInTargetWorks = false;
+    state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame.Target.Framebuffer);
     return false;
   }
   return true;
@@ -261,7 +311,7 @@ vtkOITFragmentStore::Counters vtkOITABufferPass::Internals::Resolve(const vtkOIT
   {
     this->DepthCopy.Unbind(frame.GLState, DepthUnit);
   }
-  if (this->HeadInTarget)
+  if (this->HeadInTarget || this->HasSolidDepth)
   {
     frame.GLState->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame.Target.Framebuffer);
   }
@@ -272,8 +322,11 @@ vtkOITFragmentStore::Counters vtkOITABufferPass::Internals::Resolve(const vtkOIT
 }
 
 //------------------------------------------------------------------------------
-void vtkOITABufferPass::AddStatistics(vtkTypeInt64 fragments, vtkTypeInt64 depthComplexity)
+void vtkOITABufferPass::AddStatistics(
+  vtkTypeInt64 fragments, vtkTypeInt64 depthComplexity, double skipped)
 {
+  this->Exact = this->Exact && skipped == 0.0;
+  this->ErrorBound = std::max(this->ErrorBound, skipped);
   this->NumberOfFragments += fragments;
   this->MaximumDepthComplexity =
     std::max(this->MaximumDepthComplexity, static_cast<int>(depthComplexity));

@@ -15,6 +15,7 @@
 #include "Private/vtkOITShaderText.h"
 #include "Private/vtkOITSorterChoice.h"
 
+#include "vtkOITABufferPass.h"
 #include "vtkOITAutoPassBesideFS.h"
 #include "vtkOITAutoPassBlendFS.h"
 #include "vtkOITFragmentFS.h"
@@ -131,6 +132,7 @@ void vtkOITAutoPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SkipInvisibleProps: " << this->SkipInvisibleProps << "\n"
      << indent << "SkipSorting: " << this->SkipSorting << "\n"
+     << indent << "SkipHiddenFragments: " << this->SkipHiddenFragments << "\n"
      << indent << "ReuseFrames: " << this->ReuseFrames << "\n"
      << indent << "TransmittanceThreshold: " << this->TransmittanceThreshold << "\n"
      << indent << "BufferLimit: " << this->GetBufferLimit() << "\n"
@@ -399,7 +401,17 @@ void vtkOITAutoPass::SortProps(vtkOITFrame& frame)
     peeling->SetMaximumNumberOfPeels(this->MaximumNumberOfPeels);
     peeling->SetOcclusionRatio(this->OcclusionRatio);
   }
+  auto* abuffer = vtkOITABufferPass::SafeDownCast(&pass);
+  if (abuffer)
+  {
+    abuffer->SetSkipHiddenFragments(this->SkipHiddenFragments);
+    abuffer->SetTransmittanceThreshold(this->TransmittanceThreshold);
+  }
   this->RenderBy(pass, frame);
+  if (abuffer && abuffer->GetSkippedHiddenFragments())
+  {
+    impl.AddToSummary("fragments behind those of opacity 1 left out");
+  }
   impl.Sorters.Note(pass);
   impl.Choice = impl.Sorters.GetReason();
 }

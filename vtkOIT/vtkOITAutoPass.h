@@ -72,6 +72,14 @@ public:
   vtkBooleanMacro(SkipSorting, bool);
   ///@}
 
+  /// Let the A-buffer leave out fragments behind those of opacity 1, where that pays: see
+  /// vtkOITABufferPass::SetSkipHiddenFragments(). Lossless. Default on.
+  ///@{
+  vtkSetMacro(SkipHiddenFragments, bool);
+  vtkGetMacro(SkipHiddenFragments, bool);
+  vtkBooleanMacro(SkipHiddenFragments, bool);
+  ///@}
+
   /// Composite the last frame's layer again when nothing has changed. Lossless up to 2^-23.
   /// Default on.
   ///@{
@@ -80,8 +88,9 @@ public:
   vtkBooleanMacro(ReuseFrames, bool);
   ///@}
 
-  /// As vtkOITPeelingPass::SetTransmittanceThreshold(), for frames that are peeled: layers behind a
-  /// transmittance of at most this are skipped, [0, 1], default 1/512, 0 for none.
+  /// As vtkOITPeelingPass::SetTransmittanceThreshold(), for frames that are peeled and for long lists
+  /// of the A-buffer (vtkOITABufferPass::SetTransmittanceThreshold()): layers behind a transmittance
+  /// of at most this are skipped, [0, 1], default 1/512, 0 for none.
   ///@{
   vtkSetClampMacro(TransmittanceThreshold, double, 0.0, 1.0);
   vtkGetMacro(TransmittanceThreshold, double);
@@ -117,6 +126,7 @@ protected:
 
   bool SkipInvisibleProps = true;
   bool SkipSorting = true;
+  bool SkipHiddenFragments = true;
   bool ReuseFrames = true;
   double TransmittanceThreshold = 1.0 / 512.0;
 

@@ -9,6 +9,7 @@
 #include "TestRig.h"
 
 #include "vtkActor.h"
+#include "vtkActorCollection.h"
 #include "vtkCamera.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
@@ -125,6 +126,29 @@ void CheckModelTransform(TestReport& report, const Setup& setup)
   report.Compare("model transform of the camera", rig.Render(), expected, { step, step });
 }
 
+/// The A-buffer leaves out what solid texels hide, from the second frame on, unless it is off.
+void CheckHiddenFragments(TestReport& report, const Setup& setup)
+{
+  TestRig rig(setup, 200, 150);
+  vtkOITAutoPass* pass = GetPass(rig);
+  pass->ReuseFramesOff();
+  pass->SkipSortingOff();
+  rig.AddQuad({ 0.1f, Green })->GetProperty()->SetOpacity(1.0);
+  rig.Renderer->GetActors()->GetLastActor()->ForceTranslucentOn();
+  rig.AddEqualLayers({ 0.2f, 0.3f, 0.4f, 0.5f }, Red);
+  Image images[2];
+  for (const bool isOn : { true, false })
+  {
+    pass->SetSkipHiddenFragments(isOn);
+    rig.Render();
+    images[isOn] = rig.Render();
+    const bool isSkipped = pass->GetSkipSummary() == "fragments behind those of opacity 1 left out";
+    report.Check(isSkipped == (isOn && setup.HasStorage),
+      std::string("hidden fragments, ") + (isOn ? "on: " : "off: ") + pass->GetSkipSummary());
+  }
+  report.CompareBits("hidden fragments", images[1], images[0]);
+}
+
 /// Against the definition, not only against the other method.
 void CheckPlanes(TestReport& report, const Setup& setup)
 {
@@ -162,6 +186,7 @@ int TestAutoPassSkips(int argc, char* argv[])
         }
       }
       CheckModelTransform(report, setup);
+      CheckHiddenFragments(report, setup);
       CheckPlanes(report, setup);
     });
 }

@@ -95,17 +95,16 @@ vtkOITFragmentStore::Counters vtkOITABufferResolver::Resolve(
   {
     this->DrawExpected(frame, store, expected);
     counters = store.ReadCounters();
-    if (!counters.Overflow && counters.Marks != 0)
+    if (!counters.Overflow && (counters.Marks & vtkOITFragmentStore::TryAgain))
     {
       glMemoryBarrier(Barriers);
       this->DrawTiles(this->SecondChanceStage, frame, store, TilesToTryAgain,
-        [this]
-        { return this->Shaders.GetResolve(vtkOITABufferShaders::NetworkSizes.back(), true); });
+        [this] { return this->Shaders.GetSecondChance(); });
       counters = store.ReadCounters();
-      if (counters.Marks & vtkOITFragmentStore::HasLists)
-      {
-        this->DrawLists(frame, store, counters, TilesWithLists);
-      }
+    }
+    if (!counters.Overflow && (counters.Marks & vtkOITFragmentStore::HasLists))
+    {
+      this->DrawLists(frame, store, counters, TilesWithLists);
     }
     if (!counters.Overflow)
     {
@@ -147,26 +146,33 @@ void vtkOITABufferResolver::DrawExpected(const vtkOITFrame& frame, const vtkOITF
   const std::vector<std::uint32_t>& expected)
 {
   int smallest = 0;
+  const auto isNeeded = [&](int largest)
+  {
+    return std::any_of(expected.begin(), expected.end(),
+      [=](std::uint32_t count)
+      { return smallest <= static_cast<int>(count) && static_cast<int>(count) <= largest; });
+  };
   for (std::size_t i = 0; i < this->ResolveStages.size(); ++i)
   {
     const int size = vtkOITABufferShaders::NetworkSizes[i];
-    const bool isLast = i + 1 == this->ResolveStages.size();
-    const int largest = isLast ? std::numeric_limits<int>::max() : size;
-    const bool isNeeded = std::any_of(expected.begin(), expected.end(),
-      [=](std::uint32_t count)
-      { return smallest <= static_cast<int>(count) && static_cast<int>(count) <= largest; });
-    if (isNeeded)
+    if (isNeeded(size))
     {
-      this->DrawTiles(this->ResolveStages[i], frame, store, { smallest, largest },
-        [this, size] { return this->Shaders.GetResolve(size, false); });
+      this->DrawTiles(this->ResolveStages[i], frame, store, { smallest, size },
+        [this, size] { return this->Shaders.GetResolve(size); });
     }
-    smallest = largest + (isLast ? 0 : 1);
+    smallest = size + 1;
+  }
+  constexpr int largest = std::numeric_limits<int>::max();
+  if (isNeeded(largest))
+  {
+    this->DrawTiles(this->SecondChanceStage, frame, store, { smallest, largest },
+      [this] { return this->Shaders.GetSecondChance(); });
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
-  const vtkOITFragmentStore::Counters& counters, const std::array<int, 2>& tileClass)
+  vtkOITFragmentStore::Counters& counters, const std::array<int, 2>& tileClass)
 {
   const std::uint32_t longest = *std::max_element(counters.Tiles.begin(), counters.Tiles.end());
   if (longest == 0)
@@ -190,6 +196,10 @@ void vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame, const vtkOITFrag
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   this->DrawTiles(
     this->CompositeStage, frame, store, tileClass, [this] { return this->Shaders.GetComposite(); });
+  if (this->Threshold > 0.0f)
+  {
+    counters.Skipped = store.ReadSkipped();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -207,6 +217,7 @@ void vtkOITABufferResolver::DrawTiles(vtkOITScreenStage& stage, const vtkOITFram
     program->SetUniformi("oitExpectedTexels", TileUnit + 1);
     program->SetUniform2i("oitTileDimensions", dimensions);
     program->SetUniform2i("oitTileClass", tileClass.data());
+    program->SetUniformf("oitThreshold", this->Threshold);
     if (setMore)
     {
       setMore(program);

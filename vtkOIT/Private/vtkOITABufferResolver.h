@@ -19,8 +19,9 @@ class vtkShaderProgram;
  * 1. Each tile is drawn with the smallest sorting network that takes the depth complexity it had
  *    in the last frame. Without a last frame, Count finds the depth complexity.
  * 2. Counters and tiles are read back: normally the only time that the pass waits for the GPU.
- * 3. Tiles with pixels that were left, if any, get a second chance with the largest network;
- *    longer lists and coincident fragments are sorted and composited.
+ * 3. Tiles with pixels that were left, if any, get a second chance with the largest network, in
+ *    which the nearest fragments of longer lists may be enough; other long lists and coincident
+ *    fragments are sorted and composited.
  *
  * Multisampled framebuffers: Count, then all lists are sorted and composited once a sample.
  */
@@ -34,6 +35,9 @@ public:
   /// blending, draw buffers, colour mask and viewport.
   vtkOITFragmentStore::Counters Resolve(const vtkOITFrame& frame, vtkOITFragmentStore& store);
 
+  /// Behind a transmittance of at most this, long lists need not be composited. Default 0.
+  void SetThreshold(float threshold) { this->Threshold = threshold; }
+
   void Release();
 
   /// The longest list that Sort and Composite can handle on every driver: one merge over it stays
@@ -46,13 +50,14 @@ private:
   void DrawExpected(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
     const std::vector<std::uint32_t>& expected);
   void DrawLists(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
-    const vtkOITFragmentStore::Counters& counters, const std::array<int, 2>& tileClass);
+    vtkOITFragmentStore::Counters& counters, const std::array<int, 2>& tileClass);
   void DrawTiles(vtkOITScreenStage& stage, const vtkOITFrame& frame,
     const vtkOITFragmentStore& store, const std::array<int, 2>& tileClass,
     const std::function<std::string()>& getFragmentShader,
     const std::function<void(vtkShaderProgram*)>& setMore = {});
 
   vtkOITABufferShaders Shaders;
+  float Threshold = 0.0f;
   vtkOITDepthComplexityMap DepthComplexity;
   vtkOITScreenStage CountStage;
   std::array<vtkOITScreenStage, vtkOITABufferShaders::NetworkSizes.size()> ResolveStages;

@@ -10,7 +10,9 @@
 #include "vtkOITABufferPassGatherFS.h"
 #include "vtkOITABufferPassNodeFS.h"
 #include "vtkOITABufferPassReadFS.h"
+#include "vtkOITABufferPassRegistersFS.h"
 #include "vtkOITABufferPassResolveFS.h"
+#include "vtkOITABufferPassSecondChanceFS.h"
 #include "vtkOITABufferPassSortFS.h"
 #include "vtkOITABufferPassTileVS.h"
 #include "vtkOITDepthTestFS.h"
@@ -101,6 +103,7 @@ std::string vtkOITABufferShaders::Assemble(const char* stage, const std::string&
   vtkOITReplace(text, "//VTK::OIT::Node", vtkOITABufferPassNodeFS);
   vtkOITReplace(text, "//VTK::OIT::Half", vtkOITHalfFS);
   vtkOITReplace(text, "//VTK::OIT::Read", vtkOITABufferPassReadFS);
+  vtkOITReplace(text, "//VTK::OIT::RegisterMacros", vtkOITABufferPassRegistersFS);
   vtkOITReplace(text, "//VTK::OIT::Output", vtkOITOutputFS);
   return text;
 }
@@ -127,11 +130,19 @@ std::string vtkOITABufferShaders::GetCount() const
 }
 
 //------------------------------------------------------------------------------
-std::string vtkOITABufferShaders::GetResolve(int networkSize, bool isSecondChance) const
+std::string vtkOITABufferShaders::GetResolve(int networkSize) const
 {
-  std::string text = this->Assemble(vtkOITABufferPassResolveFS,
-    this->GetOutputHeader() + (isSecondChance ? "#define OIT_SECOND_CHANCE\n" : ""));
+  std::string text = this->Assemble(vtkOITABufferPassResolveFS, this->GetOutputHeader());
   vtkOITReplace(text, "//VTK::OIT::Registers", vtkOITRegisterResolve(networkSize));
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITABufferShaders::GetSecondChance() const
+{
+  std::string text = this->Assemble(vtkOITABufferPassSecondChanceFS, this->GetOutputHeader());
+  vtkOITReplace(
+    text, "//VTK::OIT::Registers", vtkOITRegisterSelect(NetworkSizes.back(), KeptFragments));
   return text;
 }
 

@@ -36,13 +36,18 @@ struct vtkOITABufferShaders
   ///@{
   static std::string GetTileVertexShader();
   std::string GetCount() const;
-  std::string GetResolve(int networkSize, bool isSecondChance) const;
+  std::string GetResolve(int networkSize) const;
+  std::string GetSecondChance() const;
   std::string GetSort() const;
   std::string GetComposite() const;
   ///@}
 
   /// Fragments of a pixel that the sorting networks in registers take, ascending.
   static constexpr std::array<int, 7> NetworkSizes = { 4, 6, 8, 12, 16, 24, 32 };
+
+  /// Nearest fragments of longer lists that SecondChance keeps. The more, the fainter they may be to
+  /// reach a threshold; the less of the largest network is left for loading others.
+  static constexpr int KeptFragments = 24;
 
   /// Nodes of the runs that Sort starts from.
   static constexpr int RunSize = 16;

@@ -9,13 +9,15 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace
 {
 constexpr std::int64_t BytesPerTexel = 16; // of the pool as a buffer texture, GL_RGBA32UI
 
-// The words before the tiles in the counter buffer: nodes, overflow, two unused.
+// The words before the tiles in the counter buffer: nodes, overflow, skipped, one unused.
 constexpr int CounterWords = 4;
+constexpr int SkippedWord = 2;
 // Words of a tile: depth complexity or marks; depth complexity of marked tiles; fragments.
 constexpr int TileWords = 3;
 
@@ -209,6 +211,7 @@ vtkOITFragmentStore::Counters vtkOITFragmentStore::ReadCounters() const
   Counters counters;
   counters.NodeCount = words[0];
   counters.Overflow = words[1];
+  std::memcpy(&counters.Skipped, &words[SkippedWord], sizeof(float));
   counters.Tiles.reserve(tiles);
   for (std::size_t i = CounterWords; i < words.size(); i += TileWords)
   {
@@ -218,6 +221,17 @@ vtkOITFragmentStore::Counters vtkOITFragmentStore::ReadCounters() const
     counters.FragmentCount += words[i + 2];
   }
   return counters;
+}
+
+//------------------------------------------------------------------------------
+float vtkOITFragmentStore::ReadSkipped() const
+{
+  float skipped = 0.0f;
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
+  glGetBufferSubData(
+    GL_SHADER_STORAGE_BUFFER, SkippedWord * sizeof(std::uint32_t), sizeof(float), &skipped);
+  return skipped;
 }
 
 //------------------------------------------------------------------------------

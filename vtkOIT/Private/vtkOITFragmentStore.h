@@ -58,6 +58,8 @@ public:
     /// Largest number of fragments of a pixel, for each tile. In tiles with a mark it is known
     /// only after the second chance.
     std::vector<std::uint32_t> Tiles;
+    /// The largest transmittance in front of fragments that were not composited; 0 for none.
+    float Skipped = 0.0f;
     /// All marks of tiles: TryAgain, HasLists.
     std::uint32_t Marks = 0;
   };
@@ -89,6 +91,7 @@ public:
 
   /// Waits for the shaders that count.
   Counters ReadCounters() const;
+  float ReadSkipped() const;
 
   /// Binds a framebuffer whose colour buffer are the list heads and whose depth buffer is that of
   /// the framebuffer bound for drawing, so that Gather gets the heads by framebuffer fetch. False,

@@ -54,6 +54,23 @@ void WriteSortingNetwork(std::ostream& os, int size)
     }
   }
 }
+
+/// The macro for each of the registers from `first` up to `end`.
+void WriteForEach(std::ostream& os, const char* macro, int first, int end)
+{
+  for (int i = first; i < end; ++i)
+  {
+    os << macro << "(" << i << ")\n";
+  }
+}
+
+void WriteTies(std::ostream& os, int size)
+{
+  for (int i = 0; i + 1 < size; ++i)
+  {
+    os << "OIT_NOTE_TIE(" << i << ", " << i + 1 << ")\n";
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -130,19 +147,31 @@ bool vtkOITWritesDepth(const std::string& fragmentShader)
 std::string vtkOITRegisterResolve(int size)
 {
   std::ostringstream os;
-  for (int i = 0; i < size; ++i)
-  {
-    os << "OIT_LOAD(" << i << ")\n";
-  }
+  WriteForEach(os, "OIT_DECLARE", 0, size);
+  WriteForEach(os, "OIT_LOAD", 0, size);
   WriteSortingNetwork(os, size);
-  for (int i = 0; i + 1 < size; ++i)
-  {
-    os << "OIT_NOTE_TIE(" << i << ", " << i + 1 << ")\n";
-  }
-  for (int i = 0; i < size; ++i)
-  {
-    os << "OIT_BLEND(" << i << ")\n";
-  }
+  WriteTies(os, size);
+  WriteForEach(os, "OIT_BLEND", 0, size);
+  return os.str();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITRegisterSelect(int size, int kept)
+{
+  std::ostringstream os;
+  WriteForEach(os, "OIT_DECLARE", 0, size);
+  os << "do\n{\nif (count == 0u)\n{\n";
+  WriteForEach(os, "OIT_LOAD", 0, kept);
+  os << "}\n";
+  WriteForEach(os, "OIT_LOAD", kept, size);
+  WriteSortingNetwork(os, size);
+  os << "thin = 1.0;\n";
+  WriteForEach(os, "OIT_THIN", 0, kept - 1);
+  os << "} while (node != OIT_END && (count < " << size << "u || thin <= oitThreshold));\n"
+     << "isLong = count > " << size << "u;\n";
+  WriteForEach(os, "OIT_FORGET", kept, size);
+  WriteTies(os, size);
+  WriteForEach(os, "OIT_BLEND", 0, size);
   return os.str();
 }
 
@@ -150,14 +179,9 @@ std::string vtkOITRegisterResolve(int size)
 std::string vtkOITRegisterSort(int size)
 {
   std::ostringstream os;
-  for (int i = 0; i < size; ++i)
-  {
-    os << "OIT_LOAD(" << i << ")\n";
-  }
+  WriteForEach(os, "OIT_LOAD", 0, size);
   WriteSortingNetwork(os, size);
-  for (int i = 0; i < size; ++i)
-  {
-    os << "OIT_LINK(" << i << ")\n";
-  }
+  os << "OITFragment last = f0;\n";
+  WriteForEach(os, "OIT_LINK", 0, size);
   return os.str();
 }

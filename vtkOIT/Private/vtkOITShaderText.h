@@ -33,6 +33,12 @@ bool vtkOITWritesDepth(const std::string& fragmentShader);
  */
 std::string vtkOITRegisterResolve(int size);
 
+/**
+ * The text `//VTK::OIT::Registers` of vtkOITABufferPassSecondChanceFS.glsl: loads, sorts and blends
+ * up to `size` fragments in registers; of more, the `kept` nearest, while those behind are not seen.
+ */
+std::string vtkOITRegisterSelect(int size, int kept);
+
 /// The text `//VTK::OIT::SortRun` of vtkOITABufferPassSortFS.glsl: loads, sorts and links `size`
 /// nodes.
 std::string vtkOITRegisterSort(int size);

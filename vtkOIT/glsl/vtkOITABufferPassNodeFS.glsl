@@ -37,7 +37,8 @@ layout(std430, binding = 0) buffer OITCounters
 {
   uint oitNodeCount; // goes on counting beyond the capacity: the size that is needed
   uint oitOverflow;      // set once the capacity is passed, stays when the count wraps
-  uint oitUnused[2];
+  uint oitSkipped;       // bits of the largest transmittance in front of what was not composited
+  uint oitUnused;
   OITTile oitTiles[];
 };
 const uint OIT_TRY_AGAIN = 0x20000000u;  // tile: some pixels need a second chance

@@ -8,37 +8,13 @@
 // T -= T alpha. The text of the network is generated, for OIT_NETWORK_SIZE fragments.
 //
 // Each tile is drawn with the network that the last frame lets expect. Pixels that have more
-// fragments, or coincident ones, are left alone and their tile is marked. The largest network then
-// tries again (OIT_SECOND_CHANCE), and marks what is left for Sort and Composite.
+// fragments, or coincident ones, are left alone and their tile is marked for SecondChance.
 
 //VTK::OIT::Node
 //VTK::OIT::Read
 //VTK::OIT::Output
 
-#define OIT_LOAD(i)                                                                                \
-  uint key##i = OIT_NO_KEY;                                                                        \
-  OITColor color##i = OITColor(0u);                                                                \
-  if (node != OIT_END)                                                                             \
-  {                                                                                                \
-    OITFragment f = oitRead(node);                                                                 \
-    key##i = f.Key;                                                                                \
-    color##i = f.Color;                                                                            \
-    node = f.Next;                                                                                 \
-    ++count;                                                                                       \
-  }
-
-#define OIT_COMPARE_EXCHANGE(i, j)                                                                 \
-  {                                                                                                \
-    bool swap = key##j < key##i;                                                                   \
-    uint nearKey = min(key##i, key##j);                                                            \
-    key##j = max(key##i, key##j);                                                                  \
-    key##i = nearKey;                                                                              \
-    OITColor nearColor = swap ? color##j : color##i;                                               \
-    color##j = swap ? color##i : color##j;                                                         \
-    color##i = nearColor;                                                                          \
-  }
-
-#define OIT_NOTE_TIE(i, j) isTied = isTied || (key##i == key##j && key##i != OIT_NO_KEY);
+//VTK::OIT::RegisterMacros
 
 #define OIT_BLEND(i)                                                                               \
   {                                                                                                \
@@ -48,9 +24,6 @@
     transmittance -= w;                                                                            \
   }
 
-#ifdef OIT_SECOND_CHANCE
-flat in int oitNetworkSize; // of the first try
-#else
 // Notes the pixel's fragments in its tile: `fragments` of them, or more when it is left. Of four
 // pixels one does it for all, as atomics are slow on a CPU; on the diagonal each for itself, because
 // the tile's two triangles see only their own pixels of the four.
@@ -80,7 +53,6 @@ void oitNote(uint fragments, bool isLeft)
     atomicAdd(oitTiles[tile].Fragments, uint(sum));
   }
 }
-#endif
 
 void main()
 {
@@ -93,27 +65,8 @@ void main()
   bool isTied = false;
   //VTK::OIT::Registers
   bool isLeft = isTied || node != OIT_END;
-#ifdef OIT_SECOND_CHANCE
-  for (; node != OIT_END; ++count)
-  {
-    node = oitLoadNext(OIT_WORD(node));
-  }
-  atomicMax(oitTiles[oitFindTile()].Marked, count);
-  bool wasIncomplete = count > uint(oitNetworkSize);
-  if (wasIncomplete)
-  {
-    atomicAdd(oitTiles[oitFindTile()].Fragments, count);
-  }
-  if (isLeft)
-  {
-    imageStore(oitHeads, pixel, uvec4(head | OIT_LEFT));
-    atomicOr(oitTiles[oitFindTile()].Complexity, OIT_HAS_LISTS);
-  }
-  bool isMine = (isTied || wasIncomplete) && !isLeft;
-#else
   oitNote(node == OIT_END ? count : 0u, isLeft);
   bool isMine = head != OIT_END && !isLeft;
-#endif
   if (!isMine)
   {
     discard;

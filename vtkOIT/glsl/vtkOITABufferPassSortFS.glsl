@@ -5,10 +5,12 @@
 // Sorts lists in place, of any length: for the pixels that Resolve left over, and for all pixels
 // of multisampled framebuffers, which are composited once a sample. Writes no colour.
 //
-// A merge sort that relinks the nodes and needs no memory beside them: runs of 16 nodes come out of
-// a sorting network in registers, then neighbouring runs are merged. One invocation merges runs of
-// oitFirstWidth nodes up to oitLastWidth: software rasterizers limit the iterations of a shader's
-// loops (llvmpipe: 65535 together), so long lists take several draws.
+// A merge sort that relinks the nodes and needs no memory beside them: blocks of 16 nodes come out
+// of a sorting network in registers, then neighbouring runs are merged. A block that lies behind or
+// before all of its run is put at the end of it, so what was drawn front to back or back to front
+// is one run from the start and not merged. One invocation merges runs of oitFirstWidth nodes up to
+// oitLastWidth: software rasterizers limit the iterations of a shader's loops (llvmpipe: 65535
+// together), so long lists take several draws.
 
 //VTK::OIT::Node
 //VTK::OIT::Read
@@ -52,27 +54,62 @@ bool oitIsBefore(OITFragment a, OITFragment b)
 #define OIT_LINK(i)                                                                                \
   if (f##i.Next != OIT_END)                                                                        \
   {                                                                                                \
-    if (tail == OIT_END)                                                                           \
+    if (i > 0)                                                                                     \
     {                                                                                              \
-      head = f##i.Next;                                                                            \
+      oitStoreNext(OIT_WORD(last.Next), f##i.Next);                                                \
     }                                                                                              \
-    else                                                                                           \
-    {                                                                                              \
-      oitStoreNext(OIT_WORD(tail), f##i.Next);                                                     \
-    }                                                                                              \
-    tail = f##i.Next;                                                                              \
+    last = f##i;                                                                                   \
   }
 
-// Sorts runs of 16 nodes. Returns the new head.
-uint oitSortRuns(uint head)
+// Sorts blocks of 16 nodes and joins them to runs. Runs are made of whole blocks but for the last
+// one, so any 16 nodes from a multiple of 16 on are sorted. Returns the new head.
+uint oitMakeRuns(uint head, out uint runs)
 {
   uint node = head;
-  uint tail = OIT_END;
+  uint tailBefore = OIT_END; // of the run before the current one
+  // The ends of the current run.
+  OITFragment nearest = OITFragment(OIT_NO_KEY, 0u, OITColor(0u), OIT_END);
+  OITFragment farthest = nearest;
+  runs = 0u;
   while (node != OIT_END)
   {
     //VTK::OIT::SortRun
+    bool isLast = node == OIT_END; // so it may have fewer nodes
+    if (runs > 0u && !oitIsBefore(f0, farthest))
+    {
+      oitStoreNext(OIT_WORD(farthest.Next), f0.Next);
+      farthest = last;
+    }
+    else if (runs > 0u && !oitIsBefore(nearest, last) && (runs == 1u || !isLast))
+    {
+      oitStoreNext(OIT_WORD(last.Next), nearest.Next);
+      nearest = f0;
+    }
+    else
+    {
+      if (runs == 1u)
+      {
+        head = nearest.Next;
+      }
+      else if (runs > 1u)
+      {
+        oitStoreNext(OIT_WORD(tailBefore), nearest.Next);
+      }
+      tailBefore = farthest.Next;
+      nearest = f0;
+      farthest = last;
+      ++runs;
+    }
   }
-  oitStoreNext(OIT_WORD(tail), OIT_END);
+  if (runs == 1u)
+  {
+    head = nearest.Next;
+  }
+  else if (runs > 1u)
+  {
+    oitStoreNext(OIT_WORD(tailBefore), nearest.Next);
+  }
+  oitStoreNext(OIT_WORD(farthest.Next), OIT_END);
   return head;
 }
 
@@ -153,14 +190,14 @@ void main()
     discard;
   }
   head &= ~mark;
-  uint merges = 2u;
+  uint runs = 2u; // or more
   if (oitFirstWidth == OIT_RUN_SIZE)
   {
-    head = oitSortRuns(head);
+    head = oitMakeRuns(head, runs);
   }
-  for (uint width = uint(oitFirstWidth); width <= uint(oitLastWidth) && merges > 1u; width *= 2u)
+  for (uint width = uint(oitFirstWidth); width <= uint(oitLastWidth) && runs > 1u; width *= 2u)
   {
-    head = oitMergeRuns(head, width, merges);
+    head = oitMergeRuns(head, width, runs);
   }
   imageStore(oitHeads, pixel, uvec4(head | mark));
 }

@@ -10,7 +10,7 @@ uniform usamplerBuffer oitTileTexels;     // OITCounters as a texture: four word
 uniform usamplerBuffer oitExpectedTexels; // depth complexity that is expected of each tile
 uniform ivec2 oitTileDimensions;          // columns, rows
 uniform ivec2 oitTileClass; // smallest and largest expected depth complexity; or -1 and the mark
-flat out int oitNetworkSize; // of the first try
+flat out int oitNetworkSize; // of the first try; -1: this is the first
 
 int oitFindNetworkSize(int expected)
 {
@@ -28,10 +28,11 @@ void main()
   int tile = gl_VertexID / 6;
   int corner = gl_VertexID - 6 * tile;
   int expected = int(texelFetch(oitExpectedTexels, tile).x);
-  oitNetworkSize = oitFindNetworkSize(expected);
+  oitNetworkSize = -1;
   bool isMine = oitTileClass.x <= expected && expected <= oitTileClass.y;
   if (oitTileClass.x < 0)
   {
+    oitNetworkSize = oitFindNetworkSize(expected);
     isMine = (texelFetch(oitTileTexels, 4 + 3 * tile).x & uint(oitTileClass.y)) != 0u;
   }
   bool hasOverflown = texelFetch(oitTileTexels, 1).x != 0u; // the frame will be rendered again

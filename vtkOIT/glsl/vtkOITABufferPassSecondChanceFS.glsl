@@ -1,0 +1,77 @@
+//VTK::System::Dec
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// SecondChance: for pixels that Resolve left, in the tiles that it marked, with the largest network.
+// Also the first try of tiles that are expected to have more fragments than that takes.
+//
+// Longer lists are read to their end, keeping the nearest OIT_KEPT fragments: as long as the
+// transmittance behind them is at most the threshold, which 0 is when one of them has opacity 1,
+// others are not seen. Otherwise, and for coincident fragments, the pixel is marked for Sort and
+// Composite. So the picture does not depend on the order of drawing: a list of more than
+// OIT_NETWORK_SIZE fragments is composited up to the first at which the threshold is reached, here
+// or there.
+
+//VTK::OIT::Node
+//VTK::OIT::Read
+//VTK::OIT::Output
+//VTK::OIT::RegisterMacros
+
+uniform float oitThreshold; // of the transmittance
+flat in int oitNetworkSize; // of the first try; -1: this is the first
+
+// As it is blended, to the bit; not the last one kept, which might coincide with one that was not.
+#define OIT_THIN(i) thin -= thin * oitUnpack(color##i).a;
+
+// What is not one of the nearest of a long list.
+#define OIT_FORGET(i)                                                                              \
+  key##i = isLong ? OIT_NO_KEY : key##i;                                                           \
+  color##i = isLong ? OITColor(0u) : color##i;
+
+#define OIT_BLEND(i)                                                                               \
+  {                                                                                                \
+    vec4 c = oitUnpack(color##i);                                                                  \
+    float w = isLong && transmittance <= oitThreshold ? 0.0 : transmittance * c.a;                 \
+    color += w * c.rgb;                                                                            \
+    transmittance -= w;                                                                            \
+  }
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy) - oitOrigin;
+  uint head = imageLoad(oitHeads, pixel).x;
+  uint node = head;
+  uint count = 0u;
+  vec3 color = vec3(0.0);
+  float transmittance = 1.0;
+  float thin = 1.0; // transmittance behind the nearest
+  bool isTied = false;
+  bool isLong = false;
+  //VTK::OIT::Registers
+  bool isLeft = isTied || node != OIT_END || (isLong && thin > oitThreshold);
+  for (; node != OIT_END; ++count)
+  {
+    node = oitLoadNext(OIT_WORD(node));
+  }
+  atomicMax(oitTiles[oitFindTile()].Marked, count);
+  bool wasIncomplete = int(count) > oitNetworkSize;
+  if (wasIncomplete)
+  {
+    atomicMax(oitTiles[oitFindTile()].Complexity, count); // of no effect on marks
+    atomicAdd(oitTiles[oitFindTile()].Fragments, count);
+  }
+  if (isLeft)
+  {
+    imageStore(oitHeads, pixel, uvec4(head | OIT_LEFT));
+    atomicOr(oitTiles[oitFindTile()].Complexity, OIT_HAS_LISTS);
+  }
+  if (isLeft || !(isTied || wasIncomplete) || head == OIT_END)
+  {
+    discard;
+  }
+  if (isLong && transmittance > 0.0)
+  {
+    atomicMax(oitSkipped, floatBitsToUint(transmittance));
+  }
+  oitWrite(color, transmittance);
+}
