@@ -17,10 +17,9 @@
  *    are proven to be flat and convex, or closed and convex, and to have an order by their bounds.
  *    They are drawn back to front, of closed ones the far faces first: into the framebuffer where a
  *    pixel has one layer, otherwise into a float32 layer.
- * 4. All others are sorted by the A-buffer. Where that cannot run: by multi-layer peeling, or with
- * a FragmentPrecision of FLOAT by dual depth peeling, which also takes over where neither of the
- *    others can run. Multi-layer peeling also takes the place of an A-buffer that would need more
- *    bands (geometry passes) than it, by the counts of the last frame.
+ * 4. All others are sorted by the A-buffer, in bands when its fragments do not fit into memory.
+ * Where that cannot run: by multi-layer peeling, or with a FragmentPrecision of FLOAT by dual depth
+ *    peeling, which also takes over where neither of the others can run.
  *
  * GetAlgorithmName() names the method that drew the frame, GetSkipSummary() what was skipped, and
  * why.
