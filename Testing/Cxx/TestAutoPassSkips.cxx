@@ -125,6 +125,25 @@ void CheckModelTransform(TestReport& report, const Setup& setup)
   report.Compare("model transform of the camera", rig.Render(), expected, { step, step });
 }
 
+/// Drawn twice, 40 props of a few pixels each cost more than an A-buffer of them, but less than
+/// peeling them.
+void CheckManySmall(TestReport& report, const Setup& setup)
+{
+  TestRig rig(setup, Width, Height);
+  GetPass(rig)->ReuseFramesOff();
+  for (int i = 0; i < 40; ++i)
+  {
+    AddSphere(
+      rig, i % 2 == 0 ? Red : Blue, { 0.25 * (i % 8) - 0.9, 0.35 * (i / 8) - 0.7, 0.0 }, 0.05);
+  }
+  rig.Render();
+  const std::string expected =
+    setup.HasStorage ? "" : "40 of 40 props blended: their order is known";
+  report.Check(GetPass(rig)->GetSkipSummary() == expected,
+    "many small spheres: \"" + GetPass(rig)->GetSkipSummary() + "\", expected \"" + expected +
+      "\"");
+}
+
 /// Against the definition, not only against the other method.
 void CheckPlanes(TestReport& report, const Setup& setup)
 {
@@ -162,6 +181,7 @@ int TestAutoPassSkips(int argc, char* argv[])
         }
       }
       CheckModelTransform(report, setup);
+      CheckManySmall(report, setup);
       CheckPlanes(report, setup);
     });
 }

@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITBlendPlan.h"
 
+#include "vtkOITBlendCost.h"
+#include "vtkOITCapabilities.h"
 #include "vtkOITFrame.h"
 #include "vtkOITScreenRectangle.h"
 
+#include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPolyData.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
 
@@ -27,8 +31,8 @@ constexpr double SmallestGap = 1e-4;
 
 /// Pairs grow with the square of the number of props of an island.
 constexpr std::size_t LargestIsland = 256;
-/// Closed props are drawn twice; with many of them that costs more than sorting does.
-constexpr int MostClosedProps = 32;
+/// Fragments of a face in pixels of its rectangle: an ellipse.
+constexpr double FilledShare = 0.785;
 
 enum class Relation
 {
@@ -84,6 +88,19 @@ struct Item
 };
 using Items = std::vector<const Item*>;
 
+/// Items whose rectangles touch each other, directly or through others.
+struct Island
+{
+  Items Members;
+  std::vector<Items> Levels; // far to near; none when some order is not known
+
+  bool HasClosed() const
+  {
+    return std::any_of(this->Members.begin(), this->Members.end(),
+      [](const Item* item) { return item->IsClosed(); });
+  }
+};
+
 Relation Item::Compare(const Item& other, const View& view) const
 {
   if (this->Extent->Rectangle.Intersect(other.Extent->Rectangle).IsEmpty())
@@ -119,8 +136,37 @@ Relation Item::Compare(const Item& other, const View& view) const
   return Relation::Unknown;
 }
 
-/// Items whose rectangles touch each other, directly or through others.
-std::vector<Items> FindIslands(const std::vector<Item>& items)
+/// About as many as the polygons of the mesh; of props whose shape is known.
+std::int64_t CountTriangles(vtkProp* prop)
+{
+  vtkActor* actor = vtkOITFindPlainActor(prop);
+  auto* mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+  return mesh->GetNumberOfPolys();
+}
+
+std::vector<Item> MakeItems(const vtkOITFrame& frame,
+  const std::vector<vtkOITScreenExtent>& extents, vtkOITMeshShapes& shapes)
+{
+  // Polygon offset moves depths away from where the bounds say.
+  const bool hasPlainDepth = vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF &&
+    IsPlain(frame.GetState()->GetRenderer()->GetActiveCamera()) && !frame.Window->GetStereoRender();
+  std::vector<Item> items(extents.size());
+  for (std::size_t i = 0; i < items.size(); ++i)
+  {
+    Item& item = items[i];
+    item.Prop = frame.GetProps()[i];
+    item.Extent = &extents[i];
+    if (hasPlainDepth && extents[i].IsBounded && !extents[i].Rectangle.IsEmpty())
+    {
+      item.Shape = shapes.Find(item.Prop);
+      std::copy_n(item.Prop->GetBounds(), 6, item.Bounds.begin());
+    }
+  }
+  shapes.Prune();
+  return items;
+}
+
+std::vector<Island> FindIslands(const std::vector<Item>& items)
 {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < items.size(); ++i)
@@ -154,16 +200,16 @@ std::vector<Items> FindIslands(const std::vector<Item>& items)
       }
     }
   }
-  std::vector<Items> byRoot(items.size());
+  std::vector<Island> byRoot(items.size());
   for (std::size_t i = 0; i < items.size(); ++i)
   {
     if (!items[i].Extent->Rectangle.IsEmpty())
     {
-      byRoot[findRoot(i)].push_back(&items[i]);
+      byRoot[findRoot(i)].Members.push_back(&items[i]);
     }
   }
-  byRoot.erase(std::remove_if(
-                 byRoot.begin(), byRoot.end(), [](const Items& island) { return island.empty(); }),
+  byRoot.erase(std::remove_if(byRoot.begin(), byRoot.end(),
+                 [](const Island& island) { return island.Members.empty(); }),
     byRoot.end());
   return byRoot;
 }
@@ -229,6 +275,36 @@ std::vector<Items> FindLevels(const Items& island, const View& view)
   return placed == count ? levels : std::vector<Items>(); // fewer: some are in front of each other
 }
 
+/// Of the closed items whose order is known, in a frame of `frameArea` pixels.
+vtkOITBlendCost FindCost(const std::vector<Island>& islands, std::int64_t frameArea)
+{
+  vtkOITBlendCost cost;
+  cost.FrameArea = frameArea;
+  vtkOITRectangle blended;
+  vtkOITRectangle left;
+  for (const Island& island : islands)
+  {
+    for (const Item* item : island.Members)
+    {
+      const vtkOITRectangle& rectangle = item->Extent->Rectangle;
+      if (island.Levels.empty())
+      {
+        left = left.Unite(rectangle);
+      }
+      else if (item->IsClosed())
+      {
+        ++cost.Props;
+        cost.Triangles += CountTriangles(item->Prop);
+        cost.Fragments += 2.0 * FilledShare * static_cast<double>(rectangle.GetArea());
+        blended = blended.Unite(rectangle);
+      }
+    }
+  }
+  cost.BlendArea = blended.GetArea();
+  cost.LeftArea = left.GetArea();
+  return cost;
+}
+
 int CountLayers(const Items& island)
 {
   return std::accumulate(island.begin(), island.end(), 0,
@@ -265,52 +341,44 @@ void AppendTo(std::vector<vtkOITBlendPlan::Step>& steps, const Items& items, boo
 vtkOITBlendPlan::vtkOITBlendPlan(const vtkOITFrame& frame,
   const std::vector<vtkOITScreenExtent>& extents, vtkOITMeshShapes& shapes)
 {
-  vtkCamera* camera = frame.GetState()->GetRenderer()->GetActiveCamera();
-  // Polygon offset moves depths away from where the bounds say.
-  const bool hasPlainDepth = vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF &&
-    IsPlain(camera) && !frame.Window->GetStereoRender();
-  std::vector<Item> items(extents.size());
-  int closedProps = 0;
-  for (std::size_t i = 0; i < items.size(); ++i)
+  const std::vector<Item> items = MakeItems(frame, extents, shapes);
+  for (const Item& item : items)
   {
-    Item& item = items[i];
-    item.Prop = frame.GetProps()[i];
-    item.Extent = &extents[i];
-    if (hasPlainDepth && extents[i].IsBounded && !extents[i].Rectangle.IsEmpty())
+    if (item.Shape == vtkOITMeshShape::ClosedConvexInside)
     {
-      item.Shape = shapes.Find(item.Prop);
-      std::copy_n(item.Prop->GetBounds(), 6, item.Bounds.begin());
-      closedProps += item.IsClosed() ? 1 : 0;
-      if (item.Shape == vtkOITMeshShape::ClosedConvexInside)
-      {
-        this->InsideOut.push_back(item.Prop);
-      }
+      this->InsideOut.push_back(item.Prop);
     }
   }
-  shapes.Prune();
-
-  const View view(camera);
-  std::vector<Items> levels;
-  for (const Items& island : FindIslands(items))
+  std::vector<Island> islands = FindIslands(items);
+  const View view(frame.GetState()->GetRenderer()->GetActiveCamera());
+  for (Island& island : islands)
   {
-    const bool isTooMuch = closedProps > MostClosedProps &&
-      std::any_of(island.begin(), island.end(), [](const Item* item) { return item->IsClosed(); });
-    const std::vector<Items> found = isTooMuch ? std::vector<Items>() : FindLevels(island, view);
-    levels.resize(std::max(levels.size(), found.size()));
-    for (std::size_t level = 0; level < found.size(); ++level)
+    island.Levels = FindLevels(island.Members, view);
+  }
+  // Peeling costs several times as much as the A-buffer that this is compared with.
+  const bool blendsClosed =
+    !frame.Capabilities->HasStorage() || FindCost(islands, frame.Rectangle.GetArea()).Pays();
+
+  std::vector<Items> levels;
+  for (const Island& island : islands)
+  {
+    const bool isBlended = !island.Levels.empty() && (blendsClosed || !island.HasClosed());
+    if (isBlended)
     {
-      levels[level].insert(levels[level].end(), found[level].begin(), found[level].end());
+      levels.resize(std::max(levels.size(), island.Levels.size()));
+      for (std::size_t level = 0; level < island.Levels.size(); ++level)
+      {
+        const Items& found = island.Levels[level];
+        levels[level].insert(levels[level].end(), found.begin(), found.end());
+      }
+      this->NumberOfBlendedProps += static_cast<int>(island.Members.size());
+      this->MaximumLayers = std::max(this->MaximumLayers, CountLayers(island.Members));
     }
-    if (!found.empty())
+    for (const Item* item : island.Members)
     {
-      this->NumberOfBlendedProps += static_cast<int>(island.size());
-      this->MaximumLayers = std::max(this->MaximumLayers, CountLayers(island));
-    }
-    for (const Item* item : island)
-    {
-      vtkOITRectangle& rectangle = found.empty() ? this->SortedRectangle : this->BlendRectangle;
+      vtkOITRectangle& rectangle = isBlended ? this->BlendRectangle : this->SortedRectangle;
       rectangle = rectangle.Unite(item->Extent->Rectangle);
-      if (found.empty())
+      if (!isBlended)
       {
         this->Sorted.push_back(item->Prop);
       }
