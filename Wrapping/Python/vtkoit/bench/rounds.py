@@ -33,7 +33,7 @@ def take(stage, names, settings, progress):
             for contender in contenders:
                 spent = 0.0
                 for number in range(WARM_UP):
-                    if number < 2 or spent < settings.budget:
+                    if number < 2 or spent < settings.budget or not settings.turn:
                         _turn(contender, settings.turn * (1 if number % 2 else -1))
                         spent += contender.render()[0]
         for contender in contenders:

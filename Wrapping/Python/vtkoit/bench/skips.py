@@ -26,8 +26,8 @@ ORDERED = "props blended: their order is known"
 REUSED = "whole frame reused"
 
 
-def skips():
-    """All rows, list of Skip."""
+def skips(is_quick=False):
+    """All rows, list of Skip; is_quick: one of each switch."""
     def sorting(scene):
         return Skip("SkipSorting", scene, "auto", "auto:SkipSorting=0", ORDERED, 0.5)
 
@@ -38,7 +38,7 @@ def skips():
         return Skip("TransmittanceThreshold", "opacity-0.5", method,
                     method + ":TransmittanceThreshold=0", "", 0.5)
 
-    return [
+    rows = [
         Skip("SkipInvisibleProps", _faded(), "auto", "auto:SkipInvisibleProps=0", INVISIBLE, 0.5),
         sorting("deep"), sorting("disjoint"), sorting("one-sphere"),
         reuse("spheres"), reuse("small-props"),
@@ -47,6 +47,8 @@ def skips():
              "dual:UseOcclusionQuery=0,MaximumNumberOfPeels=8", "", 0.5),
         Skip("UseOcclusionQuery: props", _corner(), "dual",
              "dual:UseOcclusionQuery=0,MaximumNumberOfPeels={passes}", None, 0.5)]
+    names = [row.name for row in rows]
+    return [row for i, row in enumerate(rows) if not is_quick or row.name not in names[:i]]
 
 
 def _faded():

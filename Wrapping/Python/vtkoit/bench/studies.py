@@ -70,7 +70,7 @@ def _measure(name, options, size, settings, here, progress):
     progress.begin("%s" % name)
     about = (document.where(here), _command(name, options), settings, size)
     if name == "skips":
-        results = skips.measure(skips.skips(), size, settings, progress)
+        results = skips.measure(skips.skips(options.quick), size, settings, progress)
         return results, skips.page(results, *about)
     if name == "costs":
         sizes = costs.QUICK if options.quick else costs.FULL
