@@ -393,7 +393,7 @@ void vtkOITAutoPass::SortProps(vtkOITFrame& frame)
       ? std::string("it keeps half floats")
       : FindMissing(candidate, frame);
   };
-  vtkOITPass& pass = impl.Sorters.Choose(frame, limit, findMissing);
+  vtkOITPass& pass = impl.Sorters.Choose(limit, findMissing);
   impl.Sorters.ReleaseUnused(frame.Window);
   if (auto* peeling = vtkOITPeelingPass::SafeDownCast(&pass))
   {

@@ -19,10 +19,9 @@
  *    They are drawn back to front, of closed ones the far faces first: into the framebuffer where a
  *    pixel has one layer, otherwise into a float32 layer; up to 3 layers into the framebuffer with
  *    the float32 layer beside it, where shaders can read both (framebuffer fetch).
- * 4. All others are sorted by the A-buffer. Where that cannot run: by multi-layer peeling, or with
- * a FragmentPrecision of FLOAT by dual depth peeling, which also takes over where neither of the
- *    others can run. Multi-layer peeling also takes the place of an A-buffer that would need more
- *    bands (geometry passes) than it, by the counts of the last frame.
+ * 4. All others are sorted by the A-buffer, in bands when its fragments do not fit into memory.
+ * Where that cannot run: by multi-layer peeling, or with a FragmentPrecision of FLOAT by dual depth
+ *    peeling, which also takes over where neither of the others can run.
  *
  * GetAlgorithmName() names the method that drew the frame, GetSkipSummary() what was skipped, and
  * why.

@@ -454,6 +454,16 @@ std::vector<Scene> GetClosedScenes()
         AddSphere(rig, Red, { 0.3, 0.0, 0.0 }, 0.6);
       },
       0, Any, Any },
+    { "40 boxes behind each other",
+      [](TestRig& rig)
+      {
+        for (int i = 0; i < 40; ++i)
+        {
+          const double z = -0.9 + 0.045 * ((i * 7) % 40);
+          AddBox(rig, i % 2 == 0 ? Red : Blue, { -0.7, -0.5, z }, { 0.7, 0.5, z + 0.02 });
+        }
+      },
+      0, 40, 0, 80, 80 },
     { "a sphere that is not convex",
       [](TestRig& rig)
       {

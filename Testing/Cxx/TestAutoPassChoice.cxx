@@ -170,6 +170,11 @@ void CheckSmallMemory(TestReport& report, const Setup& setup, int width, int hei
     what + ": drawn by " + *names.begin() + ", which needs more passes");
   std::printf("%s: %s, %d geometry passes: %s\n", what.c_str(), names.begin()->c_str(),
     passes.back(), GetPass(rig)->GetChoice().c_str());
+  if (setup.HasStorage)
+  {
+    CheckEqual(report, what + ": choice", GetPass(rig)->GetChoice(),
+      "in bands, as its fragments do not fit into memory");
+  }
   report.Check(std::set<int>(passes.begin(), passes.end()).size() == 1,
     what + ": the number of geometry passes changes from frame to frame");
 }

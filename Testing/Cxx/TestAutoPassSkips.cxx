@@ -149,6 +149,25 @@ void CheckHiddenFragments(TestReport& report, const Setup& setup)
   report.CompareBits("hidden fragments", images[1], images[0]);
 }
 
+/// Drawn twice, 40 props of a few pixels each cost more than an A-buffer of them, but less than
+/// peeling them.
+void CheckManySmall(TestReport& report, const Setup& setup)
+{
+  TestRig rig(setup, Width, Height);
+  GetPass(rig)->ReuseFramesOff();
+  for (int i = 0; i < 40; ++i)
+  {
+    AddSphere(
+      rig, i % 2 == 0 ? Red : Blue, { 0.25 * (i % 8) - 0.9, 0.35 * (i / 8) - 0.7, 0.0 }, 0.05);
+  }
+  rig.Render();
+  const std::string expected =
+    setup.HasStorage ? "" : "40 of 40 props blended: their order is known";
+  report.Check(GetPass(rig)->GetSkipSummary() == expected,
+    "many small spheres: \"" + GetPass(rig)->GetSkipSummary() + "\", expected \"" + expected +
+      "\"");
+}
+
 /// Against the definition, not only against the other method.
 void CheckPlanes(TestReport& report, const Setup& setup)
 {
@@ -187,6 +206,7 @@ int TestAutoPassSkips(int argc, char* argv[])
       }
       CheckModelTransform(report, setup);
       CheckHiddenFragments(report, setup);
+      CheckManySmall(report, setup);
       CheckPlanes(report, setup);
     });
 }

@@ -2,15 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITBlendPlan.h"
 
+#include "vtkOITBlendCost.h"
+#include "vtkOITCapabilities.h"
 #include "vtkOITFrame.h"
 #include "vtkOITPartialOrder.h"
 #include "vtkOITScreenRectangle.h"
 
+#include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPolyData.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
 
@@ -31,8 +35,8 @@ constexpr double SmallestGap = 1e-4;
 
 /// Pairs grow with the square of the number of props of an island.
 constexpr std::size_t LargestIsland = 256;
-/// Closed props are drawn twice; with many of them that costs more than sorting does.
-constexpr int MostClosedProps = 32;
+/// Fragments of a face in pixels of its rectangle: an ellipse.
+constexpr double FilledShare = 0.785;
 
 enum class Relation
 {
@@ -90,8 +94,6 @@ struct Item
   Relation Compare(const Item& other, const View& view) const;
   bool IsAround(const Item& other, double gap) const;
 };
-using Island = std::vector<Item*>;
-
 /// What is drawn of an item in one step.
 struct Part
 {
@@ -99,6 +101,19 @@ struct Part
   vtkOITBlendPlan::Faces Side = vtkOITBlendPlan::Faces::All;
 };
 using Parts = std::vector<Part>;
+
+/// Items whose rectangles touch each other, directly or through others.
+struct Island
+{
+  std::vector<Item*> Members;
+  std::vector<Parts> Levels; // far to near; none when some order is not known
+
+  bool HasClosed() const
+  {
+    return std::any_of(this->Members.begin(), this->Members.end(),
+      [](const Item* item) { return item->IsClosed(); });
+  }
+};
 
 /// Whether nothing of the other is outside of the inner ball.
 bool Item::IsAround(const Item& other, double gap) const
@@ -153,7 +168,6 @@ Relation Item::Compare(const Item& other, const View& view) const
                                     : Relation::Unknown;
 }
 
-/// Items whose rectangles touch each other, directly or through others.
 std::vector<Island> FindIslands(std::vector<Item>& items)
 {
   std::vector<std::size_t> order;
@@ -193,11 +207,11 @@ std::vector<Island> FindIslands(std::vector<Item>& items)
   {
     if (!items[i].Extent->Rectangle.IsEmpty())
     {
-      byRoot[findRoot(i)].push_back(&items[i]);
+      byRoot[findRoot(i)].Members.push_back(&items[i]);
     }
   }
-  byRoot.erase(std::remove_if(
-                 byRoot.begin(), byRoot.end(), [](const Island& island) { return island.empty(); }),
+  byRoot.erase(std::remove_if(byRoot.begin(), byRoot.end(),
+                 [](const Island& island) { return island.Members.empty(); }),
     byRoot.end());
   return byRoot;
 }
@@ -205,7 +219,7 @@ std::vector<Island> FindIslands(std::vector<Item>& items)
 /// False when one of the shapes is not known; then not all have been looked for.
 bool FindShapes(Island& island, vtkOITMeshShapes& shapes)
 {
-  for (Item* item : island)
+  for (Item* item : island.Members)
   {
     item->Shape =
       item->Extent->IsBounded ? shapes.Find(item->Prop, item->Balls) : vtkOITMeshShape::Unknown;
@@ -221,7 +235,7 @@ bool FindShapes(Island& island, vtkOITMeshShapes& shapes)
 /// The most that a pixel can have: one of each part.
 int CountLayers(const Island& island)
 {
-  return std::accumulate(island.begin(), island.end(), 0,
+  return std::accumulate(island.Members.begin(), island.Members.end(), 0,
     [](int layers, const Item* item) { return layers + (item->IsClosed() ? 2 : 1); });
 }
 
@@ -232,7 +246,7 @@ public:
   explicit PartOrder(const Island& island)
     : Order(static_cast<std::size_t>(CountLayers(island)))
   {
-    for (const Item* item : island)
+    for (const Item* item : island.Members)
     {
       this->First.push_back(this->AllParts.size());
       if (item->IsClosed())
@@ -284,17 +298,13 @@ private:
 /// Nothing when some order is not known, or there is none.
 std::vector<Parts> FindLevels(const Island& island, const View& view)
 {
-  if (std::any_of(island.begin(), island.end(),
-        [](const Item* item) { return item->Shape == vtkOITMeshShape::Unknown; }))
-  {
-    return {};
-  }
+  const std::vector<Item*>& items = island.Members;
   PartOrder order(island);
-  for (std::size_t a = 0; a < island.size(); ++a)
+  for (std::size_t a = 0; a < items.size(); ++a)
   {
-    for (std::size_t b = a + 1; b < island.size(); ++b)
+    for (std::size_t b = a + 1; b < items.size(); ++b)
     {
-      switch (island[a]->Compare(*island[b], view))
+      switch (items[a]->Compare(*items[b], view))
       {
         case Relation::Apart:
           break;
@@ -316,6 +326,44 @@ std::vector<Parts> FindLevels(const Island& island, const View& view)
     }
   }
   return order.FindLevels();
+}
+
+/// About as many as the polygons of the mesh; of props whose shape is known.
+std::int64_t CountTriangles(vtkProp* prop)
+{
+  vtkActor* actor = vtkOITFindPlainActor(prop);
+  auto* mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+  return mesh->GetNumberOfPolys();
+}
+
+/// Of the closed items whose order is known, in a frame of `frameArea` pixels.
+vtkOITBlendCost FindCost(const std::vector<Island>& islands, std::int64_t frameArea)
+{
+  vtkOITBlendCost cost;
+  cost.FrameArea = frameArea;
+  vtkOITRectangle blended;
+  vtkOITRectangle left;
+  for (const Island& island : islands)
+  {
+    for (const Item* item : island.Members)
+    {
+      const vtkOITRectangle& rectangle = item->Extent->Rectangle;
+      if (island.Levels.empty())
+      {
+        left = left.Unite(rectangle);
+      }
+      else if (item->IsClosed())
+      {
+        ++cost.Props;
+        cost.Triangles += CountTriangles(item->Prop);
+        cost.Fragments += 2.0 * FilledShare * static_cast<double>(rectangle.GetArea());
+        blended = blended.Unite(rectangle);
+      }
+    }
+  }
+  cost.BlendArea = blended.GetArea();
+  cost.LeftArea = left.GetArea();
+  return cost;
 }
 
 void AppendTo(
@@ -359,48 +407,45 @@ vtkOITBlendPlan::vtkOITBlendPlan(const vtkOITFrame& frame,
     items[i].Extent = &extents[i];
   }
   std::vector<Island> islands = FindIslands(items);
-  int closedProps = 0;
+  const View view(camera);
   for (Island& island : islands)
   {
-    if (hasPlainDepth && island.size() <= LargestIsland && FindShapes(island, shapes))
+    if (hasPlainDepth && island.Members.size() <= LargestIsland && FindShapes(island, shapes))
     {
-      closedProps += static_cast<int>(
-        std::count_if(island.begin(), island.end(), [](const Item* i) { return i->IsClosed(); }));
+      island.Levels = FindLevels(island, view);
     }
   }
+  // Peeling costs several times as much as the A-buffer that this is compared with.
+  const bool blendsClosed =
+    !frame.Capabilities->HasStorage() || FindCost(islands, frame.Rectangle.GetArea()).Pays();
   shapes.Prune();
 
-  const View view(camera);
   std::vector<Parts> levels;
   for (const Island& island : islands)
   {
-    const bool isTooMuch = closedProps > MostClosedProps &&
-      std::any_of(island.begin(), island.end(), [](const Item* item) { return item->IsClosed(); });
-    const std::vector<Parts> found = isTooMuch ? std::vector<Parts>() : FindLevels(island, view);
-    levels.resize(std::max(levels.size(), found.size()));
-    for (std::size_t level = 0; level < found.size(); ++level)
+    const bool isBlended = !island.Levels.empty() && (blendsClosed || !island.HasClosed());
+    if (isBlended)
     {
-      levels[level].insert(levels[level].end(), found[level].begin(), found[level].end());
-    }
-    if (!found.empty())
-    {
-      this->NumberOfBlendedProps += static_cast<int>(island.size());
-      this->MaximumLayers = std::max(this->MaximumLayers, CountLayers(island));
-      for (const Item* item : island)
+      levels.resize(std::max(levels.size(), island.Levels.size()));
+      for (std::size_t level = 0; level < island.Levels.size(); ++level)
       {
-        if (item->Shape == vtkOITMeshShape::ClosedConvexInside)
-        {
-          this->InsideOut.push_back(item->Prop);
-        }
+        const Parts& found = island.Levels[level];
+        levels[level].insert(levels[level].end(), found.begin(), found.end());
       }
+      this->NumberOfBlendedProps += static_cast<int>(island.Members.size());
+      this->MaximumLayers = std::max(this->MaximumLayers, CountLayers(island));
     }
-    for (const Item* item : island)
+    for (const Item* item : island.Members)
     {
-      vtkOITRectangle& rectangle = found.empty() ? this->SortedRectangle : this->BlendRectangle;
+      vtkOITRectangle& rectangle = isBlended ? this->BlendRectangle : this->SortedRectangle;
       rectangle = rectangle.Unite(item->Extent->Rectangle);
-      if (found.empty())
+      if (!isBlended)
       {
         this->Sorted.push_back(item->Prop);
+      }
+      else if (item->Shape == vtkOITMeshShape::ClosedConvexInside)
+      {
+        this->InsideOut.push_back(item->Prop);
       }
     }
   }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITSorterChoice.h"
 
-#include "vtkOITFrame.h"
 #include "vtkOITPass.h"
 #include "vtkOITPassFactory.h"
 
@@ -12,16 +11,7 @@ namespace
 {
 constexpr const char* MethodNames[] = { "abuffer", "multilayer", "dual" };
 
-// As in the documentation of the passes.
-constexpr std::int64_t BytesPerFragment = 16;
-constexpr std::int64_t BytesPerBandPixel = 8; // heads of lists and depth, of one band at a time
-constexpr std::int64_t BytesPerPeeledPixel = 216;
-constexpr int LayersPerPeel = 8;
-
-constexpr std::int64_t DivideUp(std::int64_t value, std::int64_t by)
-{
-  return (value + by - 1) / by;
-}
+constexpr std::int64_t BytesPerFragment = 16; // of an A-buffer
 }
 
 //------------------------------------------------------------------------------
@@ -39,46 +29,25 @@ vtkOITPass& vtkOITSorterChoice::Use(int which, std::int64_t limit, const std::st
 }
 
 //------------------------------------------------------------------------------
-bool vtkOITSorterChoice::IsPeelingCheaper(const vtkOITFrame& frame, std::int64_t limit) const
+vtkOITPass& vtkOITSorterChoice::Choose(
+  std::int64_t limit, const std::function<std::string(vtkOITPass&)>& findMissing)
 {
-  const std::int64_t area = frame.Rectangle.GetArea();
-  const std::int64_t bands =
-    DivideUp(this->Fragments * BytesPerFragment + area * BytesPerBandPixel, limit);
-  const std::int64_t peels =
-    std::max<std::int64_t>(1, DivideUp(this->DepthComplexity, LayersPerPeel)) *
-    DivideUp(area * BytesPerPeeledPixel, limit);
-  return this->Current == MultiLayer ? 3 * peels < 4 * bands : 4 * peels < 3 * bands;
-}
-
-//------------------------------------------------------------------------------
-vtkOITPass& vtkOITSorterChoice::Choose(const vtkOITFrame& frame, std::int64_t limit,
-  const std::function<std::string(vtkOITPass&)>& findMissing)
-{
-  const int before = this->Current;
-  const std::string missing =
-    findMissing(this->Use(ABuffer, limit, "its fragments fit into memory"));
-  this->Current = before;
-  if (missing.empty() && !this->IsPeelingCheaper(frame, limit))
-  {
-    return this->Use(ABuffer, limit,
-      this->Fragments * BytesPerFragment <= limit ? "its fragments fit into memory"
-                                                  : "it needs the fewest geometry passes");
-  }
-  const bool canPeelLayers = findMissing(this->Use(MultiLayer, limit, missing)).empty();
+  const bool fits = this->Fragments * BytesPerFragment <= limit;
+  vtkOITPass& best = this->Use(ABuffer, limit,
+    fits ? "its fragments fit into memory" : "in bands, as its fragments do not fit into memory");
+  const std::string missing = findMissing(best);
   if (missing.empty())
   {
-    const std::string reason = "an A-buffer would need more bands than this needs passes";
-    return canPeelLayers ? this->Use(MultiLayer, limit, reason)
-                         : this->Use(ABuffer, limit, "it needs the fewest geometry passes");
+    return best;
   }
-  return canPeelLayers ? *this->Passes[MultiLayer] : this->Use(Dual, limit, missing);
+  vtkOITPass& second = this->Use(MultiLayer, limit, missing);
+  return findMissing(second).empty() ? second : this->Use(Dual, limit, missing);
 }
 
 //------------------------------------------------------------------------------
 void vtkOITSorterChoice::Note(vtkOITPass& pass)
 {
   this->Fragments = std::max<std::int64_t>(0, pass.GetNumberOfFragments());
-  this->DepthComplexity = std::max(0, pass.GetMaximumDepthComplexity());
 }
 
 //------------------------------------------------------------------------------
@@ -116,5 +85,4 @@ void vtkOITSorterChoice::Release(vtkWindow* window)
     }
   }
   this->Fragments = 0;
-  this->DepthComplexity = 0;
 }

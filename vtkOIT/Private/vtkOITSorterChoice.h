@@ -9,25 +9,24 @@
 #include <functional>
 #include <string>
 
-class vtkOITFrame;
 class vtkOITPass;
 class vtkWindow;
 
 /**
  * The exact method that sorts the fragments of a frame at the lowest price.
  *
- * Measured on llvmpipe and on every scene of the benchmark, that is the A-buffer as long as its
- * fragments fit into the memory. Beyond that it draws the scene once for each of its bands, and
- * multi-layer peeling once for each 8 layers of each of its own, so the smaller number decides.
- * What is needed is known from the last frame; a choice is changed only when the other one is a
- * quarter cheaper, so that frames do not alternate.
+ * That is the A-buffer wherever it runs, also when its fragments do not fit into the memory: then
+ * it draws the scene once for each of its bands, but each fragment in one of them only. Multi-layer
+ * peeling has no fewer geometry passes: for N layers both need `area / limit` of them, times 216
+ * ⌈N/8⌉ bytes instead of 16 N + 8, and it shades and sorts what is left in each. docs/costs.md has
+ * what was measured. Without an A-buffer multi-layer peeling is the best, then dual depth peeling.
  */
 class vtkOITSorterChoice
 {
 public:
-  /// A pass for the frame, with the limit in bytes. `findMissing` says what a pass lacks for it.
-  vtkOITPass& Choose(const vtkOITFrame& frame, std::int64_t limit,
-    const std::function<std::string(vtkOITPass&)>& findMissing);
+  /// A pass for a frame, with the limit in bytes. `findMissing` says what a pass lacks for it.
+  vtkOITPass& Choose(
+    std::int64_t limit, const std::function<std::string(vtkOITPass&)>& findMissing);
 
   /// Why that pass.
   const std::string& GetReason() const { return this->Reason; }
@@ -43,7 +42,6 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  bool IsPeelingCheaper(const vtkOITFrame& frame, std::int64_t limit) const;
   vtkOITPass& Use(int which, std::int64_t limit, const std::string& reason);
 
   enum
@@ -57,7 +55,6 @@ private:
   int Current = ABuffer;
   std::string Reason;
   std::int64_t Fragments = 0; // of the last frame
-  int DepthComplexity = 0;
 };
 
 #endif

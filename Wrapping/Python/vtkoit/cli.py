@@ -66,6 +66,7 @@ examples:
   {prog} --quick -o numbers
   {prog} --scenes spheres isosurfaces layers --methods vtk-dual abuffer multilayer:NumberOfLayersPerPass=16
   {prog} --scenes skull.stl layers-* --size 1024x768 -o numbers
+  {prog} --skips -o numbers
   {prog} --list"""
 
 
@@ -122,7 +123,17 @@ def _add_bench(bench):
                 "1)")
     option("--no-plots", action="store_true", help="tables only, without Matplotlib")
     option("--document", metavar="FOLDER",
-           help="write the page accuracy-and-speed.md and its pictures there, too")
+           help="write the page accuracy-and-speed.md and its pictures there, too, or that of one of "
+                "the three that follow")
+    study = bench.add_mutually_exclusive_group()
+    option = study.add_argument
+    option("--skips", action="store_true",
+           help="instead: skips.md, what each skip saves in a scene that has it to save")
+    option("--costs", action="store_true",
+           help="instead: costs.md, what a fragment, a pixel, a triangle and a band cost by the methods "
+                "that auto chooses from")
+    option("--growth", action="store_true",
+           help="instead: growth.md, how the cost grows with layers, triangles, pixels and props")
     option("--list", action="store_true", help="print all scenes and methods, measure nothing")
 
 

@@ -18,5 +18,10 @@ store.py          results on disk, so that an interrupted run can go on
 tables.py         text, CSV and JSON; machine.py their header
 plots.py          diagrams and contact sheets, by matplotlib
 document.py       the page of the documentation
+rounds.py         frames in turns without errors, for
+skips.py          what each skip saves
+costs.py          what the automatic choice rests on
+growth.py         how the cost grows
+studies.py        the command bench with one of these three
 run.py            the command bench
 """

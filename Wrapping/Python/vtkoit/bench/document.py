@@ -51,7 +51,7 @@ def write(folder, machine, results, store, command):
     try:
         os.makedirs(pictures, exist_ok=True)
         scenes = tables.by_scene(results)
-        text = [_HEAD.format(command=command, machine=_where(machine))]
+        text = [_HEAD.format(command=command, machine=where(machine))]
         text += ["## Time of a frame", _times(scenes), "## Against VTK's dual depth peeling",
                  _against_dual(scenes), "## Erroneous pixels", _errors(scenes),
                  "## Methods that are exact", _exact(scenes)]
@@ -66,7 +66,8 @@ def write(folder, machine, results, store, command):
         raise Error("%s: cannot be written: %s" % (folder, error.strerror)) from None
 
 
-def _where(machine):
+def where(machine):
+    """A machine.describe() in a sentence of a page, str."""
     return "%s, %d cores, load average at the start %s, %s, VTK %s, %s, %s" % (
         machine["cpu"], machine["cores"], machine["load"], machine["system"], machine["vtk"],
         machine["renderer"], machine["date"][:10])

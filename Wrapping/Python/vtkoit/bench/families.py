@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Procedural scenes that change one thing at a time: layers, triangles, pixels, coverage, opacity,
-props, coincident fragments, depth range."""
+props, number of small props, coincident fragments, depth range."""
 
 import numpy
 
@@ -14,6 +14,7 @@ FAMILIES = {
     "coverage": (0.01, 0.1, 0.5, 1.0),
     "opacity": (0.01, 0.1, 0.5, 0.9, 0.99),
     "props": (1, 10, 100, 800, 2000),
+    "crowd": (50, 100, 200, 400, 800, 1600, 3200),
     "coincident": (0.0, 0.25, 0.5, 1.0),
     "depth-range": (10.0, 1e3, 1e5, 1e7),
 }
@@ -22,8 +23,8 @@ FAMILIES = {
 def scenes():
     """All of them, list of Scene, a family's in ascending order of its value."""
     makers = {"layers": _layers, "triangles": _triangles, "pixels": _pixels, "coverage": _coverage,
-              "opacity": _opacity, "props": _props, "coincident": _coincident,
-              "depth-range": _depth_range}
+              "opacity": _opacity, "props": _props, "crowd": _crowd,
+              "coincident": _coincident, "depth-range": _depth_range}
     return [makers[family](value)._replace(name="%s-%s" % (family, short(value)), family=family,
                                            value=float(value))
             for family, values in FAMILIES.items() for value in values]
@@ -110,6 +111,19 @@ def _props(count):
         return [Part(append(group), rainbow(i / count), 0.3) for i, group in enumerate(groups)]
 
     return Scene("", "2000 small spheres in %d prop%s" % (count, "s"[:count != 1]), make, look_at_spheres)
+
+
+def _crowd(count):
+    """Each sphere is a prop: props, triangles and fragments grow alike."""
+
+    def make():
+        places = numpy.random.default_rng(6).uniform(-1, 1, (count, 3))
+        return [Part(sphere(p, 0.05, 8), rainbow(i / count), 0.3) for i, p in enumerate(places)]
+
+    def place(renderer):
+        facing(renderer, 1.1)
+
+    return Scene("", "%d small spheres, each a prop" % count, make, place)
 
 
 def _coincident(fraction):

@@ -19,7 +19,7 @@ _COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#8
 _MARKERS = "osD^vPX<>ph*"
 _FAMILY_TITLES = {
     "layers": "layers", "triangles": "triangles", "pixels": "pixels of a side",
-    "coverage": "covered part of the window", "opacity": "opacity", "props": "props",
+    "coverage": "covered part of the window", "opacity": "opacity", "props": "props of the same 2000 spheres", "crowd": "props",
     "coincident": "coincident part of the layers", "depth-range": "far plane / near plane"}
 _LINEAR = ("opacity", "coincident")
 

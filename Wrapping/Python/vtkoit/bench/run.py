@@ -8,7 +8,18 @@ import time
 from ..errors import Error
 from ..render import parse_size
 from ..windows import headless
-from . import catalogue, contenders, document, machine, measure, plots, record, tables, truth
+from . import (
+    catalogue,
+    contenders,
+    document,
+    machine,
+    measure,
+    plots,
+    record,
+    studies,
+    tables,
+    truth,
+)
 from .stage import Stage
 from .store import Store, slug
 
@@ -26,6 +37,12 @@ def run(options, progress):
     if options.list:
         print(listing())
         return
+    if options.document and not os.path.isdir(options.document):
+        raise Error("--document %s: there is no such folder" % options.document)
+    study = studies.chosen(options)
+    if study:
+        studies.run(study, options, _settings(options), progress)
+        return
     names = options.methods or contenders.names(options.quick)
     for name in names:
         contenders.parse(name)
@@ -34,8 +51,6 @@ def run(options, progress):
     settings = _settings(options)
     if not options.no_plots:
         plots.matplotlib()  # its absence is told before the work
-    if options.document and not os.path.isdir(options.document):
-        raise Error("--document %s: there is no such folder" % options.document)
     try:
         headless()
     except RuntimeError as error:
