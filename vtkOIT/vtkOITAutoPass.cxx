@@ -46,8 +46,8 @@ constexpr int MostLayersBeside = 3;
 /// Nothing of it is seen wherever it is. Edges have an opacity of their own from VTK 9.3 on.
 bool HasNoOpacity(vtkProp* prop)
 {
-  vtkActor* actor = vtkOITFindPlainActor(prop);
-  return actor && actor->GetProperty()->GetOpacity() <= 0.0 &&
+  auto* actor = vtkActor::SafeDownCast(prop);
+  return actor && actor->GetProperty()->GetOpacity() <= 0.0 && vtkOITFindPlainActor(prop) &&
     !actor->GetProperty()->GetEdgeVisibility() &&
     (!actor->GetBackfaceProperty() || actor->GetBackfaceProperty()->GetOpacity() <= 0.0);
 }

@@ -156,8 +156,8 @@ void vtkOITFrameSignature::AddProps(const vtkOITFrame& frame)
   this->Add(vtkMapper::GetResolveCoincidentTopologyPolygonOffsetFaces());
   for (vtkProp* prop : frame.GetProps())
   {
-    vtkActor* composite = vtkOITFindCompositeActor(prop);
-    vtkActor* actor = composite ? composite : vtkOITFindPlainActor(prop);
+    vtkActor* plain = vtkOITFindPlainActor(prop);
+    vtkActor* actor = plain ? plain : vtkOITFindCompositeActor(prop);
     if (!actor || actor->GetMapper()->HasObserver(vtkCommand::UpdateShaderEvent) ||
       actor->HasObserver(vtkCommand::UpdateShaderEvent) || !IsKnownProperty(actor->GetProperty()) ||
       !IsKnownProperty(actor->GetBackfaceProperty()) || !HasPlainKeys(actor) ||
@@ -183,9 +183,9 @@ void vtkOITFrameSignature::AddProps(const vtkOITFrame& frame)
       this->Add(texture->GetInput()->GetMTime());
       this->Add(texture->GetLookupTable() ? texture->GetLookupTable()->GetMTime() : 0);
     }
-    if (composite)
+    if (!plain)
     {
-      this->AddBlocks(composite->GetMapper());
+      this->AddBlocks(actor->GetMapper());
     }
   }
 }
