@@ -97,7 +97,8 @@ def picture(family):
 
 
 def draw(folder, results):
-    """Writes the pictures of the page into the folder of pictures in a folder, str."""
+    """Writes the pictures of the page, of processor time, into the folder of pictures in a folder, str."""
+    results = [{**result, "ms": result["cpu_ms"]} for result in results]
     os.makedirs(os.path.join(folder, PICTURES), exist_ok=True)
     for family in FAMILIES:
         plots.cost(os.path.join(folder, PICTURES, picture(family)), results, family, dpi=70)
