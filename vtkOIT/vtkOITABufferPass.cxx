@@ -65,7 +65,7 @@ public:
   const vtkOITFrame* Frame = nullptr;
   bool HasDepthCopy = false;
   bool HasSolidDepth = false; // Gather tests against it instead of the framebuffer's
-  bool HeadInTarget = false; // list heads by framebuffer fetch instead of image atomics
+  bool HeadInTarget = false;  // list heads by framebuffer fetch instead of image atomics
   bool HeadInTargetWorks = true;
   bool IsWhole = false; // the last frame was drawn in one band, which the store still holds
 };
@@ -146,8 +146,8 @@ std::int64_t vtkOITABufferPass::Internals::GetLargestPool(
   const std::int64_t heads = this->HeadInTarget ? GetBytesOfHeadsInTarget(frame) : 0;
   const std::int64_t depth =
     this->HeadInTarget ? 0 : vtkOITDepthCopy::GetBytes(highest, frame.Target);
-  return std::min(
-    bytes, maximumBytes - heads - vtkOITFragmentStore::GetFixedBytes(highest) - depth -
+  return std::min(bytes,
+    maximumBytes - heads - vtkOITFragmentStore::GetFixedBytes(highest) - depth -
       this->SolidDepth.GetSizeInBytes());
 }
 

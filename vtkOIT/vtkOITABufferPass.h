@@ -41,9 +41,9 @@
  * framebuffer, pixels take nodes by fours. Needs GL 4.3
  * with ARB_clear_texture (any GL 4.4, Mesa's llvmpipe).
  *
- * Exact: yes, unless TransmittanceThreshold is set. Colours are stored as half floats by default: an error of at most 2^-11 of each
- * colour and opacity, clamped to [0, 65504]; FLOAT keeps them as they are. Limits: a prop whose
- * mapper knows nothing of vtkOpenGLRenderPass draws nothing.
+ * Exact: yes, unless TransmittanceThreshold is set. Colours are stored as half floats by default:
+ * an error of at most 2^-11 of each colour and opacity, clamped to [0, 65504]; FLOAT keeps them as
+ * they are. Limits: a prop whose mapper knows nothing of vtkOpenGLRenderPass draws nothing.
  *
  * @sa vtkOITPass
  */
@@ -79,10 +79,10 @@ public:
   ///@}
 
   /// Lists of more than 32 fragments are composited up to the first behind which the transmittance
-  /// is at most this. Then the nearest 24 can do without sorting all. In [0, 1], default 0: only what
-  /// is behind an opacity of 1, so the result is exact. 1/512 is half a step of 8 bits. Coincident
-  /// fragments make shorter lists count, too. GetErrorBound() is the largest transmittance in front
-  /// of what was skipped.
+  /// is at most this. Then the nearest 24 can do without sorting all. In [0, 1], default 0: only
+  /// what is behind an opacity of 1, so the result is exact. 1/512 is half a step of 8 bits.
+  /// Coincident fragments make shorter lists count, too. GetErrorBound() is the largest
+  /// transmittance in front of what was skipped.
   ///@{
   vtkSetClampMacro(TransmittanceThreshold, double, 0.0, 1.0);
   vtkGetMacro(TransmittanceThreshold, double);

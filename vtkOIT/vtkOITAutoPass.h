@@ -87,9 +87,9 @@ public:
   vtkBooleanMacro(ReuseFrames, bool);
   ///@}
 
-  /// As vtkOITPeelingPass::SetTransmittanceThreshold(), for frames that are peeled and for long lists
-  /// of the A-buffer (vtkOITABufferPass::SetTransmittanceThreshold()): layers behind a transmittance
-  /// of at most this are skipped, [0, 1], default 1/512, 0 for none.
+  /// As vtkOITPeelingPass::SetTransmittanceThreshold(), for frames that are peeled and for long
+  /// lists of the A-buffer (vtkOITABufferPass::SetTransmittanceThreshold()): layers behind a
+  /// transmittance of at most this are skipped, [0, 1], default 1/512, 0 for none.
   ///@{
   vtkSetClampMacro(TransmittanceThreshold, double, 0.0, 1.0);
   vtkGetMacro(TransmittanceThreshold, double);

@@ -42,7 +42,10 @@ void vtkOITDualDepthPeelingPass::RenderTranslucent(vtkOITFrame& frame)
     static_cast<vtkOITDualLayerPeeler&>(this->GetPeeler()).SetLayersPerSide(this->LayersPerSide);
   }
   this->Superclass::RenderTranslucent(frame);
-  this->ChooseLayersPerSide();
+  if (keepsLayers && this->FragmentPrecision == HALF)
+  {
+    this->ChooseLayersPerSide();
+  }
 }
 
 //------------------------------------------------------------------------------

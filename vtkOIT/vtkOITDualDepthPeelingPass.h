@@ -26,10 +26,13 @@
  * coincident fragments are all counted, as a group with the mean of their colours weighted by
  * opacity, instead of the maximum.
  *
- * Geometry passes: ⌈N/6⌉ for N layers where shaders can read the framebuffer, ⌈N/2⌉ with float
- * colours; elsewhere ⌈N/2⌉ + 1. Memory: 104, 136 or 168 bytes per pixel for one to three layers
- * from each side, 136 with float colours; elsewhere 200. Needs GL 3.2 with
- * ARB_explicit_attrib_location.
+ * Geometry passes: ⌈N/6⌉ for N layers where shaders can read the framebuffer; ⌈N/2⌉ with float
+ * colours, and in a frame with more layers than the last; elsewhere ⌈N/2⌉ + 1. Memory: 104, 136 or
+ * 168 bytes per pixel for one to three layers from each side, 136 with float colours; elsewhere
+ * 200. Needs GL 3.2 with ARB_explicit_attrib_location.
+ *
+ * NumberOfFragments counts what passes the depth test, where layers are kept also what
+ * TransmittanceThreshold skips.
  *
  * Exact: yes, with TransmittanceThreshold 0 and no limit on the number of peels; otherwise within
  * GetErrorBound(). Where layers are kept, they have half-float colours in [0, 65504] by default, an

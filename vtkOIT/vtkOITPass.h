@@ -94,7 +94,7 @@ public:
   /// How colour and opacity of a fragment are stored until they are blended.
   enum FragmentPrecisionType
   {
-    HALF = 0, ///< half floats; an error of at most 2^-11 of each colour and opacity
+    HALF = 0, ///< half floats; an error of at most 2^-11 of each colour and opacity stored
     FLOAT = 1 ///< floats, as they are; for high dynamic range, negative colours
   };
 

@@ -33,7 +33,14 @@ public:
   vtkOITBands Bands;
   vtkOITPropCulling Culling;
   bool Culls = false;
-  std::vector<std::size_t> ExpectedPeels; // of each band, from the last frame
+
+  /// How the peeling of a band ended in the last frame.
+  struct End
+  {
+    std::size_t Peels = 0;
+    bool FirstHadAll = false; // the first peel, not a limit or a threshold
+  };
+  std::vector<End> Ends;
 
   const vtkOITPeelContext* Context = nullptr; // during a frame
 };
@@ -86,7 +93,7 @@ void vtkOITPeelingPass::ReleaseGraphicsResources(vtkWindow* window)
   impl.State.Release();
   impl.Peeler->Release();
   impl.Culling.Release();
-  impl.ExpectedPeels.clear();
+  impl.Ends.clear();
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -101,7 +108,7 @@ void vtkOITPeelingPass::SetPeeler(std::unique_ptr<vtkOITPeeler> peeler)
 //------------------------------------------------------------------------------
 void vtkOITPeelingPass::ForgetNumberOfPeels()
 {
-  this->Impl->ExpectedPeels.clear();
+  this->Impl->Ends.clear();
 }
 
 //------------------------------------------------------------------------------
@@ -133,7 +140,7 @@ void vtkOITPeelingPass::RenderTranslucent(vtkOITFrame& frame)
     this->RenderBand(frame, band, number);
     impl.Bands.Accept();
   }
-  impl.ExpectedPeels.resize(impl.Bands.GetNumberOfBands());
+  impl.Ends.resize(impl.Bands.GetNumberOfBands());
   impl.Bands.Forget();
   this->BufferSizeInBytes = impl.State.GetSizeInBytes() + impl.Peeler->GetSizeInBytes();
 }
@@ -144,12 +151,16 @@ void vtkOITPeelingPass::RenderBand(
 {
   Internals& impl = *this->Impl;
   const vtkOITRectangle storage = this->MaximumBufferSize > 0 ? band : frame.FindStorage(band);
-  const bool expectsOnePeel = this->UseOcclusionQuery && number < impl.ExpectedPeels.size() &&
-    impl.ExpectedPeels[number] == 1;
-  const vtkOITPeelContext context{ frame, impl.State, expectsOnePeel,
+  if (impl.Ends.size() <= number)
+  {
+    impl.Ends.resize(number + 1);
+  }
+  Internals::End& end = impl.Ends[number];
+  const bool expectsAll = this->UseOcclusionQuery && end.FirstHadAll;
+  const vtkOITPeelContext context{ frame, impl.State, expectsAll,
     [this, &frame] { this->RenderRemainingGeometry(frame); } };
   impl.Context = &context;
-  impl.Culls = this->UseOcclusionQuery && !expectsOnePeel && impl.Peeler->CanCullProps() &&
+  impl.Culls = this->UseOcclusionQuery && !expectsAll && impl.Peeler->CanCullProps() &&
     frame.GetProps().size() > 1;
   if (impl.Culls)
   {
@@ -181,6 +192,7 @@ void vtkOITPeelingPass::RenderBand(
   }
   impl.Context = nullptr;
   const vtkOITPixelStatistics::Result statistics = impl.State.Reduce();
+  end.FirstHadAll = end.FirstHadAll && statistics.ErrorBound == 0.0;
   this->NumberOfFragments += statistics.Fragments;
   this->MaximumDepthComplexity = std::max(this->MaximumDepthComplexity, statistics.MostFragments);
   this->NumberOfLostFragments += statistics.Lost;
@@ -208,10 +220,6 @@ void vtkOITPeelingPass::PeelBand(vtkOITFrame& frame, std::size_t number)
 {
   Internals& impl = *this->Impl;
   vtkOITPeeler& peeler = *impl.Peeler;
-  if (impl.ExpectedPeels.size() <= number)
-  {
-    impl.ExpectedPeels.resize(number + 1, 0);
-  }
   const auto fewestPixels =
     static_cast<std::int64_t>(this->OcclusionRatio * static_cast<double>(frame.Viewport.GetArea()));
   int limit = this->MaximumNumberOfPeels;
@@ -220,6 +228,7 @@ void vtkOITPeelingPass::PeelBand(vtkOITFrame& frame, std::size_t number)
     limit = FixedNumberOfPeels;
   }
   const std::size_t setUp = peeler.GetNumberOfSetUpPeels();
+  Internals::End& end = impl.Ends[number];
   std::size_t peels = 0;
   bool isFinished = false;
   while (!isFinished && (limit == 0 || peels < setUp + limit))
@@ -228,12 +237,12 @@ void vtkOITPeelingPass::PeelBand(vtkOITFrame& frame, std::size_t number)
     if (peeler.HasAll())
     {
       ++this->NumberOfPeels;
+      end = { 1, true };
       return;
     }
     impl.State.Mask(peeler.GetMaskSide(static_cast<int>(peels)), peels);
     ++peels;
-    isFinished =
-      this->UseOcclusionQuery && impl.IsFinished(peels, impl.ExpectedPeels[number], fewestPixels);
+    isFinished = this->UseOcclusionQuery && impl.IsFinished(peels, end.Peels, fewestPixels);
   }
   const vtkOITPeelRegion& region = impl.State.GetRegion();
   const bool hasRest = !isFinished || (fewestPixels > 0 && region.GetRemaining(peels - 1) > 0);
@@ -245,8 +254,9 @@ void vtkOITPeelingPass::PeelBand(vtkOITFrame& frame, std::size_t number)
     {
       --peels;
     }
-    impl.ExpectedPeels[number] = peels;
+    end.Peels = peels;
   }
+  end.FirstHadAll = peels == 1 && !hasRest;
   if (hasRest)
   {
     peeler.PeelRest(*impl.Context);

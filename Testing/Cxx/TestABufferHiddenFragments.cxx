@@ -238,7 +238,8 @@ void CheckPicture(TestReport& report, const Setup& setup, int depthFormat)
   const Image depth = rig.GetDepth();
   rig.Render();
   report.Check(!HasSkipped(report, rig, "off", all), "off: skipped");
-  report.Compare("off", complete,
+  report.Compare(
+    "off", complete,
     [&](int x, int y)
     {
       const glm::dvec4 behind = OpaqueRectangle.Contains(x, y)
@@ -296,8 +297,8 @@ void CheckTrials(TestReport& report, const Setup& setup)
   for (int frame = 0; frame < 4; ++frame)
   {
     rig.Render();
-    report.Check(HasSkipped(report, rig, "solid behind", CountFragments(behind, true)) ==
-        (frame == 1),
+    report.Check(
+      HasSkipped(report, rig, "solid behind", CountFragments(behind, true)) == (frame == 1),
       "solid behind: frame " + std::to_string(frame));
   }
 }

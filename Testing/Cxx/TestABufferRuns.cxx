@@ -18,8 +18,8 @@ namespace
 std::vector<Layer> MakeLayers(int count, bool inPairs)
 {
   std::vector<Layer> layers = Random(count).Layers(count);
-  std::sort(layers.begin(), layers.end(),
-    [](const Layer& a, const Layer& b) { return a.Depth < b.Depth; });
+  std::sort(
+    layers.begin(), layers.end(), [](const Layer& a, const Layer& b) { return a.Depth < b.Depth; });
   for (int i = 0; i < count; ++i)
   {
     layers[i].Color.a *= 4.0f / static_cast<float>(count);
@@ -38,8 +38,7 @@ Image RenderInOrder(TestRig& rig, const std::vector<Layer>& layers, const std::v
   return rig.Render();
 }
 
-void CheckOrders(
-  TestReport& report, TestRig& rig, const Setup& setup, int count, bool inPairs)
+void CheckOrders(TestReport& report, TestRig& rig, const Setup& setup, int count, bool inPairs)
 {
   const std::vector<Layer> layers = MakeLayers(count, inPairs);
   std::vector<int> sorted(count);
@@ -49,7 +48,8 @@ void CheckOrders(
   }
   const std::string what = std::to_string(count) + (inPairs ? " layers in pairs" : " layers");
   const Image first = RenderInOrder(rig, layers, sorted);
-  report.Compare(what, first, Everywhere(ReferenceCompositor::Composite(layers, rig.GetBackground())),
+  report.Compare(what, first,
+    Everywhere(ReferenceCompositor::Composite(layers, rig.GetBackground())),
     ReferenceCompositor::RoundingBound(layers, rig.GetBackground(), setup.FragmentStorage));
 
   std::vector<int> reversed(sorted.rbegin(), sorted.rend());

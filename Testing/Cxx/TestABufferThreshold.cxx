@@ -20,8 +20,8 @@ namespace
 std::vector<Layer> MakeLayers(int count, float opacity, int together)
 {
   std::vector<Layer> layers = Random(count).Layers(count);
-  std::sort(layers.begin(), layers.end(),
-    [](const Layer& a, const Layer& b) { return a.Depth < b.Depth; });
+  std::sort(
+    layers.begin(), layers.end(), [](const Layer& a, const Layer& b) { return a.Depth < b.Depth; });
   for (int i = 0; i < count; ++i)
   {
     layers[i].Color.a = opacity * (0.9f + 0.2f * layers[i].Color.a);
@@ -87,7 +87,8 @@ void CheckThreshold(
         Random(order).Shuffle(drawn);
       }
     }
-    report.Compare(what, first, Everywhere(ReferenceCompositor::Composite(seen, rig.GetBackground())),
+    report.Compare(what, first,
+      Everywhere(ReferenceCompositor::Composite(seen, rig.GetBackground())),
       ReferenceCompositor::RoundingBound(seen, rig.GetBackground(), setup.FragmentStorage));
   }
 }

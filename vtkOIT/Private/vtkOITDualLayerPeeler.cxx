@@ -81,7 +81,7 @@ void vtkOITDualLayerPeeler::Gather(const vtkOITPeelContext& context)
       const GLuint noFar[4] = { 0, 0, 0, 0 };
       for (int i = 0; i < this->GetNumberOfLayers(); ++i)
       {
-        // Those of float colours are read only where there is a key.
+        // What those of float colours hold is used only where there is a key.
         glClearBufferuiv(GL_COLOR, i, i < this->LayersPerSide ? noNear : noFar);
       }
     });
@@ -134,8 +134,7 @@ void vtkOITDualLayerPeeler::Peel(const vtkOITPeelContext& context, int number)
 {
   this->IsFirst = number == 0;
   this->Gather(context);
-  this->FirstHasAll =
-    this->IsFirst && context.ExpectsOnePeel && context.State.IsFirstPeelComplete();
+  this->FirstHasAll = this->IsFirst && context.ExpectsAll && context.State.IsFirstPeelComplete();
   if (!this->FirstHasAll)
   {
     this->Resolve(context);
@@ -169,7 +168,6 @@ void vtkOITDualLayerPeeler::Composite(const vtkOITPeelContext& context)
       this->Layers.Bind(context.Frame.GLState, vtkOITPeelState::GatheredUnit);
       program->SetUniformi("oitLayers", vtkOITPeelState::GatheredUnit);
     });
-  vtkOITTextureArray::Unbind(context.Frame.GLState, vtkOITPeelState::GatheredUnit);
 }
 
 //------------------------------------------------------------------------------

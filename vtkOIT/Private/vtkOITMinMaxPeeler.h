@@ -12,11 +12,10 @@
  * (Everitt 2001), two-sided the nearest and the farthest (Bavoil and Myers 2008), where shaders
  * cannot read the framebuffer; where they can, vtkOITDualLayerPeeler does it better.
  *
- * Coincident fragments are blended as a group. Where shaders can read the framebuffer, they sum
- * up in place. Otherwise sums are added by blending, depths are kept as the
- * maximum, one way of blending for colours, another for alpha, so no GL beyond 3.2 is needed.
- * Floats throughout: half floats for the sums were not faster on llvmpipe, separate buffers for
- * depths neither.
+ * Coincident fragments are blended as a group. Where shaders can read the framebuffer, they sum up
+ * in place. Otherwise sums are added by blending, depths are kept as the maximum, one way of
+ * blending for colours, another for alpha, so no GL beyond 3.2 is needed. Floats throughout: half
+ * floats for the sums were not faster on llvmpipe, separate buffers for depths neither.
  */
 class vtkOITMinMaxPeeler : public vtkOITPeeler
 {

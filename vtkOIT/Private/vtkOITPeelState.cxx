@@ -182,17 +182,6 @@ std::string vtkOITPeelState::AssembleResolve(
 }
 
 //------------------------------------------------------------------------------
-// Of the frame's state, screen stages need neither the depth test nor culling nor blending.
-void vtkOITPeelState::DrawScreen(vtkOITScreenStage& stage,
-  const std::function<std::string()>& getFragmentShader,
-  const std::function<void(vtkShaderProgram*)>& setUniforms)
-{
-  vtkOpenGLState::ScopedglEnableDisable cull(this->Frame->GLState, GL_CULL_FACE);
-  this->Frame->GLState->vtkglDisable(GL_CULL_FACE);
-  stage.Render(this->Frame->Window, vtkOITFullScreenVS, getFragmentShader, setUniforms);
-}
-
-//------------------------------------------------------------------------------
 void vtkOITPeelState::Resolve(vtkOITScreenStage& stage,
   const std::function<std::string()>& getFragmentShader,
   const std::function<void(vtkShaderProgram*)>& setUniforms)
@@ -220,7 +209,9 @@ void vtkOITPeelState::Resolve(vtkOITScreenStage& stage,
   }
   const DrawnDepth depth(isFront ? 1.0 : 0.0);
   this->SetScissorOfResolve();
-  this->DrawScreen(stage, getFragmentShader,
+  vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
+  state->vtkglDisable(GL_CULL_FACE);
+  stage.Render(this->Frame->Window, vtkOITFullScreenVS, getFragmentShader,
     [&](vtkShaderProgram* program)
     {
       if (program->IsUniformUsed("oitState"))
@@ -322,6 +313,7 @@ void vtkOITPeelState::Composite(vtkOITOutputStage& stage,
 //------------------------------------------------------------------------------
 bool vtkOITPeelState::IsFirstPeelComplete()
 {
+  vtkOpenGLState::ScopedglEnableDisable cull(this->Frame->GLState, GL_CULL_FACE);
   const bool isComplete = this->Reduce().Lost == 0;
   this->Frame->ShiftViewport(this->Band, this->Storage);
   this->IsReduced = isComplete;

@@ -103,9 +103,6 @@ public:
 
   int GetWidth() const { return this->Storage.Width; }
   int GetHeight() const { return this->Storage.Height; }
-  bool IsInPlace() const { return this->InPlace; }
-  const vtkOITRectangle& GetBand() const { return this->Band; }
-  const vtkOITRectangle& GetStorage() const { return this->Storage; }
   /// The texture array that Resolve has written last.
   const vtkOITTextureArray& GetArray() const { return this->Arrays[this->Current]; }
 
@@ -113,9 +110,6 @@ public:
   void Release();
 
 private:
-  void DrawScreen(vtkOITScreenStage& stage, const std::function<std::string()>& getFragmentShader,
-    const std::function<void(vtkShaderProgram*)>& setUniforms);
-
   void SetScissorOfResolve() const;
 
   const vtkOITFrame* Frame = nullptr;

@@ -16,8 +16,8 @@ struct vtkOITPeelContext
 {
   vtkOITFrame& Frame;
   vtkOITPeelState& State;
-  /// The last frame ended with its first peel.
-  bool ExpectsOnePeel;
+  /// In the last frame the first peel of this band had all layers.
+  bool ExpectsAll;
   /// One geometry pass: the props are drawn by their mappers' shaders after WrapGather().
   std::function<void()> RenderGeometry;
 };
@@ -61,7 +61,7 @@ public:
   virtual void PeelRest(const vtkOITPeelContext& context) = 0;
 
   /// After a peel: it has all there is, not in the state but for Composite() of the peeler, and
-  /// peeling ends. May only be when the context expects one peel.
+  /// peeling ends. May only be when the context expects it.
   virtual bool HasAll() const { return false; }
   virtual void Composite(const vtkOITPeelContext&) {}
 

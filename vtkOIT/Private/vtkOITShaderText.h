@@ -35,7 +35,8 @@ std::string vtkOITRegisterResolve(int size);
 
 /**
  * The text `//VTK::OIT::Registers` of vtkOITABufferPassSecondChanceFS.glsl: loads, sorts and blends
- * up to `size` fragments in registers; of more, the `kept` nearest, while those behind are not seen.
+ * up to `size` fragments in registers; of more, the `kept` nearest, while those behind are not
+ * seen.
  */
 std::string vtkOITRegisterSelect(int size, int kept);
 

@@ -32,14 +32,14 @@ public:
     this->PostRender(state);
   }
 
-  bool PostReplaceShaderValues(std::string&, std::string&, std::string& fragmentShader,
-    vtkAbstractMapper*, vtkProp*) override
+  bool PostReplaceShaderValues(
+    std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*) override
   {
     return vtkOITWrapFragmentShader(fragmentShader, "", vtkOITABufferPassSolidFS);
   }
 
-  bool SetShaderParameters(vtkShaderProgram*, vtkAbstractMapper*, vtkProp*,
-    vtkOpenGLVertexArrayObject* = nullptr) override
+  bool SetShaderParameters(
+    vtkShaderProgram*, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject* = nullptr) override
   {
     this->GLState->vtkglDepthMask(GL_TRUE); // actors turn it off when they are translucent
     return true;

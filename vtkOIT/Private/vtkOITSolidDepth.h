@@ -49,8 +49,8 @@ private:
 };
 
 /// The props that can have fragments of opacity 1 although they are translucent: VTK multiplies the
-/// opacity of an actor's property with that of scalars and textures, so that must be 1, and a lookup
-/// table must have a colour of opacity 1. Props that are not known are left out.
+/// opacity of an actor's property with that of scalars and textures, so that must be 1, and a
+/// lookup table must have a colour of opacity 1. Props that are not known are left out.
 std::vector<vtkProp*> vtkOITFindSolidProps(const std::vector<vtkProp*>& props);
 
 #endif

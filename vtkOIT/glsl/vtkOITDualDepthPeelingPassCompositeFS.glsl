@@ -13,7 +13,7 @@ uniform ivec2 oitOrigin; // framebuffer pixel of the texel (0, 0)
 void main()
 {
   oitLoadLayers(ivec2(gl_FragCoord.xy) - oitOrigin);
-  if (layers[0].Key == OIT_NO_NEAR)
+  if (oitKept[0].Key == OIT_NO_NEAR)
   {
     discard; // no fragments
   }
@@ -22,7 +22,7 @@ void main()
   for (int i = 0; i < OIT_LAYERS; ++i)
   {
     // The far layers, which begin with the farthest, from the end.
-    OITLayer layer = layers[i < OIT_SIDE ? i : OIT_LAYERS - 1 + OIT_SIDE - i];
+    OITLayer layer = oitKept[i < OIT_SIDE ? i : OIT_LAYERS - 1 + OIT_SIDE - i];
     bool isEmpty = layer.Key == OIT_NO_NEAR || layer.Key == OIT_NO_FAR;
     float weight = isEmpty ? 0.0 : transmittance * layer.Opacity;
     color += weight * (isEmpty ? vec3(0.0) : oitUnpack(layer.Color).rgb);

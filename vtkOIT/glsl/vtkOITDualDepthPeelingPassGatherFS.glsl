@@ -16,14 +16,14 @@ layout(location = OIT_BUFFERS) inout vec4 oitPixel;
 #ifdef OIT_FLOAT_COLOR // one layer a side
 layout(location = 2) inout uvec4 oitColor0;
 layout(location = 3) inout uvec4 oitColor1;
-#define OIT_LOAD_LAYER(i) layers[i] = oitToLayer(oitLayer##i, oitColor##i);
+#define OIT_LOAD_LAYER(i) oitKept[i] = oitToLayer(oitLayer##i, oitColor##i);
 #define OIT_STORE_LAYER(i)                                                                         \
-  oitLayer##i = uvec4(layers[i].Key, floatBitsToUint(layers[i].Opacity), 0u, 0u);                  \
-  oitColor##i = layers[i].Color;
+  oitLayer##i = uvec4(oitKept[i].Key, floatBitsToUint(oitKept[i].Opacity), 0u, 0u);                  \
+  oitColor##i = oitKept[i].Color;
 #else
-#define OIT_LOAD_LAYER(i) layers[i] = oitToLayer(oitLayer##i);
+#define OIT_LOAD_LAYER(i) oitKept[i] = oitToLayer(oitLayer##i);
 #define OIT_STORE_LAYER(i)                                                                         \
-  oitLayer##i = uvec4(layers[i].Key, layers[i].Color, floatBitsToUint(layers[i].Opacity));
+  oitLayer##i = uvec4(oitKept[i].Key, oitKept[i].Color, floatBitsToUint(oitKept[i].Opacity));
 #endif
 //VTK::OIT::LayerBuffers
 
@@ -38,17 +38,21 @@ bool oitInsert(int key, vec4 color)
   OITLayer joined = OITLayer(OIT_NO_NEAR, 0.0, OITPacked(0u));
   for (int i = 0; i < OIT_LAYERS; ++i)
   {
-    bool isSame = layers[i].Key == key;
+    bool isSame = oitKept[i].Key == key;
     joined.Key = isSame ? key : joined.Key;
-    joined.Opacity = isSame ? layers[i].Opacity : joined.Opacity;
-    joined.Color = isSame ? layers[i].Color : joined.Color;
+    joined.Opacity = isSame ? oitKept[i].Opacity : joined.Opacity;
+    joined.Color = isSame ? oitKept[i].Color : joined.Color;
   }
   bool isJoining = joined.Key == key;
   vec4 mean = oitUnpack(joined.Color);
   float weight = joined.Opacity * mean.a + color.a;
   float opacity = joined.Opacity + (1.0 - joined.Opacity) * color.a;
   vec3 newMean = mean.rgb + (color.rgb - mean.rgb) * (color.a / weight);
-  const float smallestRatio = 1.0009765625; // that a half tells from 1
+#ifdef OIT_FLOAT_COLOR // the smallest that the format tells from 1
+  const float smallestRatio = 1.00000012;
+#else
+  const float smallestRatio = 1.0009765625;
+#endif
   OITPacked bits = oitPack(isJoining ? vec4(newMean, max(weight / opacity, smallestRatio))
                                        : vec4(color.rgb, 1.0));
 
@@ -56,12 +60,12 @@ bool oitInsert(int key, vec4 color)
     OITLayer(isJoining ? OIT_NO_NEAR : key, isJoining ? opacity : color.a, bits);
   for (int i = 0; i < OIT_SIDE; ++i)
   {
-    OITLayer layer = layers[i];
+    OITLayer layer = oitKept[i];
     bool isBefore = carried.Key < layer.Key;
     bool isNew = isBefore || layer.Key == key;
-    layers[i].Key = isBefore ? carried.Key : layer.Key;
-    layers[i].Opacity = isNew ? carried.Opacity : layer.Opacity;
-    layers[i].Color = isNew ? carried.Color : layer.Color;
+    oitKept[i].Key = isBefore ? carried.Key : layer.Key;
+    oitKept[i].Opacity = isNew ? carried.Opacity : layer.Opacity;
+    oitKept[i].Color = isNew ? carried.Color : layer.Color;
     carried.Key = isBefore ? layer.Key : carried.Key;
     carried.Opacity = isBefore ? layer.Opacity : carried.Opacity;
     carried.Color = isBefore ? layer.Color : carried.Color;
@@ -69,12 +73,12 @@ bool oitInsert(int key, vec4 color)
   carried.Key = carried.Key == OIT_NO_NEAR ? OIT_NO_FAR : carried.Key;
   for (int i = OIT_SIDE; i < OIT_LAYERS; ++i)
   {
-    OITLayer layer = layers[i];
+    OITLayer layer = oitKept[i];
     bool isBehind = carried.Key > layer.Key;
     bool isNew = isBehind || layer.Key == key;
-    layers[i].Key = isBehind ? carried.Key : layer.Key;
-    layers[i].Opacity = isNew ? carried.Opacity : layer.Opacity;
-    layers[i].Color = isNew ? carried.Color : layer.Color;
+    oitKept[i].Key = isBehind ? carried.Key : layer.Key;
+    oitKept[i].Opacity = isNew ? carried.Opacity : layer.Opacity;
+    oitKept[i].Color = isNew ? carried.Color : layer.Color;
     carried.Key = isBehind ? layer.Key : carried.Key;
     carried.Opacity = isBehind ? layer.Opacity : carried.Opacity;
     carried.Color = isBehind ? layer.Color : carried.Color;
@@ -91,10 +95,10 @@ void main()
   bool isLeft = color.a > 0.0 && (isFirst || (depth > oitPixel.x && depth < oitPixel.y));
   int key = oitGetKey(oitRest != 0 ? 0.5 : depth);
   //VTK::OIT::LoadLayers
-  int flag = layers[OIT_LAYERS - 1].Key & OIT_MORE;
-  layers[OIT_LAYERS - 1].Key -= flag;
+  int flag = oitKept[OIT_LAYERS - 1].Key & OIT_MORE;
+  oitKept[OIT_LAYERS - 1].Key -= flag;
   bool isMore = oitInsert(isLeft ? key : OIT_NO_NEAR, color);
-  layers[OIT_LAYERS - 1].Key |= isMore ? OIT_MORE : flag;
+  oitKept[OIT_LAYERS - 1].Key |= isMore ? OIT_MORE : flag;
   //VTK::OIT::StoreLayers
   oitPixel.x += isFirst && isLeft ? 1.0 : 0.0;
   oitPixel.w = isFirst && isMore ? 1.0 : oitPixel.w;

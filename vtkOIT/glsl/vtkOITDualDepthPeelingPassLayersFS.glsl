@@ -29,7 +29,7 @@ struct OITLayer
   OITPacked Color; // mean colour, ratio
 };
 
-OITLayer layers[OIT_LAYERS];
+OITLayer oitKept[OIT_LAYERS];
 
 #ifdef OIT_FLOAT_COLOR
 OITLayer oitToLayer(uvec4 first, uvec4 second)
@@ -52,11 +52,11 @@ uniform usampler2DArray oitLayers;
 
 #ifdef OIT_FLOAT_COLOR
 #define OIT_LOAD_LAYER(i)                                                                          \
-  layers[i] = oitToLayer(                                                                          \
+  oitKept[i] = oitToLayer(                                                                          \
     texelFetch(oitLayers, ivec3(pixel, i), 0),                                                     \
     texelFetch(oitLayers, ivec3(pixel, i + OIT_LAYERS), 0));
 #else
-#define OIT_LOAD_LAYER(i) layers[i] = oitToLayer(texelFetch(oitLayers, ivec3(pixel, i), 0));
+#define OIT_LOAD_LAYER(i) oitKept[i] = oitToLayer(texelFetch(oitLayers, ivec3(pixel, i), 0));
 #endif
 
 void oitLoadLayers(ivec2 pixel)

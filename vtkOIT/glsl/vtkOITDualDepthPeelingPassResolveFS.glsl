@@ -27,13 +27,13 @@ void main()
   oitState0 = isFirst ? vec4(0.0, 0.0, 0.0, 1.0) : oitState0;
   oitState3 = isFirst ? vec4(0.0, 0.0, 0.0, 1.0) : oitState3;
   oitState1.w = isFirst ? 0.0 : oitState1.w;
-  bool isMore = (layers[OIT_LAYERS - 1].Key & OIT_MORE) != 0;
-  layers[OIT_LAYERS - 1].Key -= isMore ? OIT_MORE : 0;
+  bool isMore = (oitKept[OIT_LAYERS - 1].Key & OIT_MORE) != 0;
+  oitKept[OIT_LAYERS - 1].Key -= isMore ? OIT_MORE : 0;
   for (int i = 0; i < OIT_SIDE; ++i)
   {
-    bool isEmpty = layers[i].Key == OIT_NO_NEAR;
-    vec4 color = isEmpty ? vec4(0.0) : oitUnpack(layers[i].Color);
-    float opacity = isEmpty ? 0.0 : layers[i].Opacity;
+    bool isEmpty = oitKept[i].Key == OIT_NO_NEAR;
+    vec4 color = isEmpty ? vec4(0.0) : oitUnpack(oitKept[i].Color);
+    float opacity = isEmpty ? 0.0 : oitKept[i].Opacity;
     if (oitRest != 0 && color.a > 1.0) // not just one fragment
     {
       oitNoteError(oitState0.a * opacity);
@@ -42,10 +42,10 @@ void main()
   }
   for (int i = OIT_SIDE; i < OIT_LAYERS; ++i)
   {
-    bool isEmpty = layers[i].Key == OIT_NO_FAR;
-    oitBlendOver(isEmpty ? vec3(0.0) : oitUnpack(layers[i].Color).rgb,
-      isEmpty ? 0.0 : layers[i].Opacity);
+    bool isEmpty = oitKept[i].Key == OIT_NO_FAR;
+    oitBlendOver(isEmpty ? vec3(0.0) : oitUnpack(oitKept[i].Color).rgb,
+      isEmpty ? 0.0 : oitKept[i].Opacity);
   }
-  oitSetBounds(isMore ? oitGetKeyDepth(layers[OIT_SIDE - 1].Key) : 2.0,
-    isMore ? oitGetKeyDepth(layers[OIT_LAYERS - 1].Key) : -2.0);
+  oitSetBounds(isMore ? oitGetKeyDepth(oitKept[OIT_SIDE - 1].Key) : 2.0,
+    isMore ? oitGetKeyDepth(oitKept[OIT_LAYERS - 1].Key) : -2.0);
 }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Gather, for depth peeling, and for dual depth peeling where shaders cannot read the framebuffer:
-// fragments at the bounds of the pixel are summed
-// up as the group of coincident fragments that is peeled now; of the fragments inside, the bounds
-// of the next peel are found. In the first pass everything is inside.
+// fragments at the bounds of the pixel are summed up as the group of coincident fragments that is
+// peeled now; of the fragments inside, the bounds of the next peel are found. In the first pass
+// everything is inside.
 //
 // With OIT_IN_PLACE the shader reads and writes what the pixel has. Otherwise sums are blended:
 // colours are added and alpha is kept as the maximum, one way of blending for all buffers.

@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Resolve, for depth peeling, and for dual depth peeling where shaders cannot read the framebuffer:
-// the group peeled from the front goes under
-// what is in front, the one peeled from the back over what is behind (Bavoil and Myers 2008).
+// the group peeled from the front goes under what is in front, the one peeled from the back over
+// what is behind (Bavoil and Myers 2008).
 
 //VTK::OIT::State
 //VTK::OIT::Group

@@ -4,14 +4,15 @@
 // What a peeling pass keeps in each pixel from peel to peel, as layers of one texture array:
 //
 //   0  front: colour and transmittance of the layers peeled from the front
-//   1  statistics: fragments; unused; error bound of what was cut off; fragments that were lost
-//   2  bounds: depth of the nearest and of the farthest fragment left; nearest > farthest: none
+//   1  statistics: fragments; unused; error bound of what was cut off; fragments that were lost, or
+//      1 while the first peel of layers that are kept has no room for all
+//   2  bounds: depth of the nearest and of the farthest fragment left, or of the kept layers that are
+//      just outside; nearest > farthest: none
 //   3  and on: what a method adds
 //
 // A Resolve stage updates it in place where shaders can read the framebuffer (OIT_IN_PLACE).
 // Otherwise it writes all layers anew, from the array of the last peel.
 
-#define OIT_BOUNDS 2
 #define OIT_NO_BOUNDS vec4(2.0, -2.0, 0.0, 0.0)
 
 #ifdef OIT_IN_PLACE
