@@ -91,7 +91,7 @@ void vtkOITABufferPass::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 bool vtkOITABufferPass::GetSkippedHiddenFragments() const
 {
-  return this->Impl->HasSolidDepth;
+  return this->Impl->HasSolidDepth && this->NumberOfFragments > 0;
 }
 
 //------------------------------------------------------------------------------
