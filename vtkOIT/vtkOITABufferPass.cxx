@@ -176,7 +176,7 @@ void vtkOITABufferPass::RenderTranslucent(vtkOITFrame& frame)
   {
     const std::int64_t needed = this->RenderBand(frame);
     const std::int64_t capacity = impl.Store.GetCapacity();
-    if (needed <= capacity || !impl.Bands.Split((needed + capacity - 1) / capacity))
+    if (needed <= capacity || !impl.Bands.Split(needed, capacity))
     {
       impl.Bands.Accept();
     }

@@ -20,8 +20,8 @@
  *    list into registers, sorts it by depth and composites it front to back, `C += T α c`,
  *    `T -= T α` in float32, over what the framebuffer holds.
  * 3. The counters and the depth complexity of tiles are read back. Tiles with pixels that had more
- *    fragments than expected are drawn again for these pixels; of longer lists the nearest fragments
- *    may be enough (TransmittanceThreshold, opacity 1); other long lists and coincident
+ *    fragments than expected are drawn again for these pixels; of longer lists the nearest
+ * fragments may be enough (TransmittanceThreshold, opacity 1); other long lists and coincident
  *    fragments are merge-sorted in place and composited. Lists that were drawn in order, in either
  *    direction, are not merged.
  * 4. When the pool was too small, Resolve has drawn nothing; the pool grows to the size that was
@@ -81,8 +81,8 @@ public:
 
   /// Lists of more than 32 fragments are composited up to the first behind which the transmittance
   /// is at most this. Often the nearest 24 are enough for it, and the list need not be sorted. In
-  /// [0, 1], default 0: only what is behind an opacity of 1, so the result is exact. 1/512 is half a
-  /// step of 8 bits. Coincident fragments make shorter lists count, too. GetErrorBound() is the
+  /// [0, 1], default 0: only what is behind an opacity of 1, so the result is exact. 1/512 is half
+  /// a step of 8 bits. Coincident fragments make shorter lists count, too. GetErrorBound() is the
   /// largest transmittance in front of what was skipped.
   ///@{
   vtkSetClampMacro(TransmittanceThreshold, double, 0.0, 1.0);

@@ -21,8 +21,8 @@
  *
  * Queries do not stall: a frame that follows another one reads results only when they are
  * available, until the peel that was the last one in the frame before; that one is waited for.
- * Where layers are kept (vtkOITDualDepthPeelingPass) and the first peel had all of them in the frame
- * before, it is composited at once, after its statistics were read.
+ * Where layers are kept (vtkOITDualDepthPeelingPass) and the first peel had all of them in the
+ * frame before, it is composited at once, after its statistics were read.
  *
  * Coincident fragments, whose float32 window depths are equal to the bit, count once each: as a
  * group they have the opacity `1 - Π(1 - α_i)` and the mean of their colours weighted by opacity.

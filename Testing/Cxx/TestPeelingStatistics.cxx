@@ -151,6 +151,32 @@ void CheckLimits(TestReport& report, TestRig& rig, const Setup& setup)
   pass->SetOcclusionRatio(0.0);
 }
 
+/// Frames that differ from the ones before in depth complexity and precision, in one band and in
+/// several: what a pass keeps from frame to frame must not show.
+void CheckChanges(TestReport& report, const Setup& setup, vtkTypeInt64 limit)
+{
+  TestRig rig(setup, 160, 120);
+  rig.Pass->SetMaximumBufferSize(limit);
+  int frame = 0;
+  for (const int layers : { 1, 1, 8, 8, 1, 1, 1, 1, 20, 2, 7 })
+  {
+    const Storage storage = frame % 3 == 2 ? Storage::Float32 : setup.FragmentStorage;
+    rig.Pass->SetFragmentPrecision(storage == Storage::Half ? vtkOITPass::HALF : vtkOITPass::FLOAT);
+    const std::vector<Layer> stack = Random(80 + layers).Layers(layers);
+    rig.RemoveProps();
+    rig.AddStack(stack);
+    const std::string what = "change " + std::to_string(frame++) + " to " + std::to_string(layers) +
+      " layers, limit " + std::to_string(limit);
+    report.Compare(what, rig.Render(),
+      Everywhere(ReferenceCompositor::Composite(stack, rig.GetBackground())),
+      ReferenceCompositor::RoundingBound(stack, rig.GetBackground(), setup.FragmentStorage));
+    report.Check(rig.Pass->GetMaximumDepthComplexity() == layers,
+      what + ": depth complexity " + std::to_string(rig.Pass->GetMaximumDepthComplexity()));
+    report.Check(limit == 0 || rig.Pass->GetBufferSizeInBytes() <= limit,
+      what + ": " + std::to_string(rig.Pass->GetBufferSizeInBytes()) + " bytes");
+  }
+}
+
 void CheckLayersPerPass(TestReport& report, TestRig& rig, const Setup& setup)
 {
   auto* pass = vtkOITMultiLayerPeelingPass::SafeDownCast(rig.Pass);
@@ -241,6 +267,8 @@ int TestPeelingStatistics(int argc, char* argv[])
       {
         CheckCounts(report, rig, setup, layers);
       }
+      CheckChanges(report, setup, 0);
+      CheckChanges(report, setup, 1 << 20);
       CheckLayersPerPass(report, rig, setup);
       CheckSingleShot(report, rig, setup);
       report.SetStressTest(30);

@@ -36,14 +36,25 @@ bool vtkOITBands::GetNext(vtkOITRectangle& band)
 }
 
 //------------------------------------------------------------------------------
-bool vtkOITBands::Split(std::int64_t parts)
+bool vtkOITBands::Split(std::int64_t needed, std::int64_t capacity)
 {
   if (this->Current.GetArea() <= 1)
   {
     return false;
   }
-  this->Push(this->Current, std::max<std::int64_t>(2, parts));
+  // By the rows that fit. Of 512 rows that need 64.5 times the capacity 7 do: 74 parts. 65 parts
+  // would have 8 rows, a little too many, and each would be split once more, into 130.
+  const std::int64_t extent = GetExtent(this->Current);
+  const std::int64_t fitting = std::max<std::int64_t>(1, extent * capacity / needed);
+  this->Push(this->Current, std::max<std::int64_t>(2, (extent + fitting - 1) / fitting));
   return true;
+}
+
+//------------------------------------------------------------------------------
+/// What is divided: rows, or the columns of a single row.
+int vtkOITBands::GetExtent(const vtkOITRectangle& rectangle)
+{
+  return rectangle.Height > 1 ? rectangle.Height : rectangle.Width;
 }
 
 //------------------------------------------------------------------------------
@@ -51,7 +62,7 @@ bool vtkOITBands::Split(std::int64_t parts)
 void vtkOITBands::Push(const vtkOITRectangle& r, std::int64_t parts)
 {
   const bool byRows = r.Height > 1;
-  const int extent = byRows ? r.Height : r.Width;
+  const int extent = GetExtent(r);
   const int count = static_cast<int>(std::clamp<std::int64_t>(parts, 1, extent));
   for (int i = count - 1; i >= 0; --i)
   {

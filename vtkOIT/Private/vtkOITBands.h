@@ -22,9 +22,10 @@ public:
   /// The next part to render. False at the end of the frame.
   bool GetNext(vtkOITRectangle& band);
 
-  /// The part given last did not fit: it is divided by `parts` (at least 2) and its parts come
-  /// next. False when it is a single pixel.
-  bool Split(std::int64_t parts);
+  /// The part given last did not fit: it needs `needed` of something of which there is `capacity`.
+  /// It is divided into at least two parts that should fit, and they come next. False when it is a
+  /// single pixel.
+  bool Split(std::int64_t needed, std::int64_t capacity);
 
   /// The part given last is done.
   void Accept() { this->Accepted.push_back(this->Current); }
@@ -36,6 +37,7 @@ public:
 
 private:
   void Push(const vtkOITRectangle& rectangle, std::int64_t parts);
+  static int GetExtent(const vtkOITRectangle& rectangle);
 
   vtkOITRectangle Whole;
   vtkOITRectangle Current;
