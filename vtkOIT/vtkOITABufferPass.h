@@ -16,9 +16,10 @@
  *    framebuffer fetch where shaders can read the framebuffer, otherwise by an atomic exchange.
  *    Nothing is drawn.
  * 2. Resolve: each tile of 16 x 16 pixels is drawn with the smallest sorting network that takes the
- *    depth complexity which the tile had in the last frame, up to 32 fragments. A pixel loads its
- *    list into registers, sorts it by depth and composites it front to back, `C += T α c`,
- *    `T -= T α` in float32, over what the framebuffer holds.
+ *    depth complexity which the tile had in the last frame, up to 32 fragments, and up to 64 from
+ *    the ninth frame on that has such tiles: that network takes seconds to compile. A pixel loads
+ * its list into registers, sorts it by depth and composites it front to back, `C += T α c`, `T -= T
+ * α` in float32, over what the framebuffer holds.
  * 3. The counters and the depth complexity of tiles are read back. Tiles with pixels that had more
  *    fragments than expected are drawn again for these pixels; of longer lists the nearest
  * fragments may be enough (TransmittanceThreshold, opacity 1); other long lists and coincident

@@ -48,10 +48,10 @@ std::vector<Layer> CutOff(const std::vector<Layer>& layers, double threshold, do
   return seen;
 }
 
-void CheckThreshold(
-  TestReport& report, TestRig& rig, const Setup& setup, float opacity, int together)
+/// As often as `frames`.
+void CheckThreshold(TestReport& report, TestRig& rig, const Setup& setup, int count, float opacity,
+  int together, int frames)
 {
-  constexpr int count = 90;
   auto* pass = vtkOITABufferPass::SafeDownCast(rig.Pass);
   const std::vector<Layer> layers = MakeLayers(count, opacity, together);
   for (const double threshold : { 0.0, 1.0 / 512 })
@@ -59,12 +59,12 @@ void CheckThreshold(
     double skipped = 0.0;
     const std::vector<Layer> seen = CutOff(layers, threshold, skipped);
     const bool isWhole = seen.size() == layers.size();
-    const std::string what = "opacity " + std::to_string(opacity) + ", groups of " +
-      std::to_string(together) + ", threshold " + std::to_string(threshold);
+    const std::string what = std::to_string(count) + " layers, opacity " + std::to_string(opacity) +
+      ", groups of " + std::to_string(together) + ", threshold " + std::to_string(threshold);
     pass->SetTransmittanceThreshold(threshold);
     Image first;
     std::vector<Layer> drawn = layers;
-    for (int order = 0; order < 3; ++order)
+    for (int order = 0; order < frames; ++order)
     {
       rig.RemoveProps();
       rig.AddStack(drawn);
@@ -105,8 +105,11 @@ int TestABufferThreshold(int argc, char* argv[])
       // The nearest 23 are enough, all are, all are not.
       for (const float opacity : { 0.4f, 0.2f, 0.05f })
       {
-        CheckThreshold(report, rig, setup, opacity, 1);
+        CheckThreshold(report, rig, setup, 90, opacity, 1, 3);
       }
-      CheckThreshold(report, rig, setup, 0.3f, 2);
+      CheckThreshold(report, rig, setup, 90, 0.3f, 2, 3);
+      // From the ninth frame on with lists of 33 to 64 fragments they are sorted in registers.
+      CheckThreshold(report, rig, setup, 64, 0.2f, 1, 10);
+      CheckThreshold(report, rig, setup, 33, 0.2f, 2, 3);
     });
 }

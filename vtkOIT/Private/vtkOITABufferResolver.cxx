@@ -26,6 +26,9 @@ constexpr std::array<int, 2> TilesWithLists = { -1, vtkOITFragmentStore::HasList
 constexpr GLbitfield Barriers =
   GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT;
 
+// Frames with tiles for the largest network before it is worth being compiled.
+constexpr int DeepFramesToCompile = 8;
+
 // Loop iterations that one draw of Sort may spend on a list, below llvmpipe's 65535.
 constexpr int SortBudget = 60000;
 
@@ -56,6 +59,7 @@ void vtkOITABufferResolver::SetShaders(const vtkOITABufferShaders& shaders)
 void vtkOITABufferResolver::Release()
 {
   this->DepthComplexity.Clear();
+  this->DeepFrames = 0;
   this->CountStage.Release();
   for (vtkOITScreenStage& stage : this->ResolveStages)
   {
@@ -155,6 +159,12 @@ void vtkOITABufferResolver::DrawExpected(const vtkOITFrame& frame, const vtkOITF
   for (std::size_t i = 0; i < this->ResolveStages.size(); ++i)
   {
     const int size = vtkOITABufferShaders::NetworkSizes[i];
+    const bool isDeep = size > vtkOITABufferShaders::LongList;
+    if (isDeep && isNeeded(size) && this->DeepFrames < DeepFramesToCompile)
+    {
+      ++this->DeepFrames;
+      break;
+    }
     if (isNeeded(size))
     {
       this->DrawTiles(this->ResolveStages[i], frame, store, { smallest, size },

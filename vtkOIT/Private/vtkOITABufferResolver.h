@@ -17,8 +17,9 @@ class vtkShaderProgram;
  * What an A-buffer does after capture, for the current rectangle of a store:
  *
  * 1. Each tile is drawn with the smallest sorting network that takes the depth complexity it had
- *    in the last frame; beyond the largest one, as in step 3. Without a last frame, Count finds the
- *    depth complexity.
+ *    in the last frame; beyond the largest one, as in step 3. The network for 64 fragments, which
+ *    takes seconds to compile, is used from the eighth frame on that has tiles for it. Without a
+ * last frame, Count finds the depth complexity.
  * 2. Counters and tiles are read back: normally the only time that the pass waits for the GPU.
  * 3. Tiles with pixels that were left, if any, get a second chance with the largest network, in
  *    which the nearest fragments of longer lists may be enough; other long lists and coincident
@@ -62,6 +63,7 @@ private:
   vtkOITDepthComplexityMap DepthComplexity;
   vtkOITScreenStage CountStage;
   std::array<vtkOITScreenStage, vtkOITABufferShaders::NetworkSizes.size()> ResolveStages;
+  int DeepFrames = 0; // that had tiles for the largest network
   vtkOITScreenStage SecondChanceStage;
   vtkOITScreenStage SortStage;
   vtkOITScreenStage CompositeStage;

@@ -134,6 +134,11 @@ std::string vtkOITABufferShaders::GetResolve(int networkSize) const
 {
   std::string text = this->Assemble(vtkOITABufferPassResolveFS, this->GetOutputHeader());
   vtkOITReplace(text, "//VTK::OIT::Registers", vtkOITRegisterResolve(networkSize));
+  if (networkSize > LongList)
+  {
+    vtkOITReplace(text, "//VTK::System::Dec",
+      "//VTK::System::Dec\n#define OIT_LONG_LIST " + std::to_string(LongList) + "u\n");
+  }
   return text;
 }
 
@@ -141,8 +146,7 @@ std::string vtkOITABufferShaders::GetResolve(int networkSize) const
 std::string vtkOITABufferShaders::GetSecondChance() const
 {
   std::string text = this->Assemble(vtkOITABufferPassSecondChanceFS, this->GetOutputHeader());
-  vtkOITReplace(
-    text, "//VTK::OIT::Registers", vtkOITRegisterSelect(NetworkSizes.back(), KeptFragments));
+  vtkOITReplace(text, "//VTK::OIT::Registers", vtkOITRegisterSelect(LongList, KeptFragments));
   return text;
 }
 

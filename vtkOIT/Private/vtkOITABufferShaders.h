@@ -43,10 +43,14 @@ struct vtkOITABufferShaders
   ///@}
 
   /// Fragments of a pixel that the sorting networks in registers take, ascending.
-  static constexpr std::array<int, 7> NetworkSizes = { 4, 6, 8, 12, 16, 24, 32 };
+  static constexpr std::array<int, 8> NetworkSizes = { 4, 6, 8, 12, 16, 24, 32, 64 };
+
+  /// Fragments up to which all are composited, whatever the threshold; what SecondChance sorts at
+  /// once. Larger networks take seconds to compile.
+  static constexpr int LongList = 32;
 
   /// Nearest fragments of longer lists that SecondChance keeps. The more, the fainter they may be
-  /// to reach a threshold; the less of the largest network is left for loading others.
+  /// to reach a threshold; the less of its network is left for loading others.
   static constexpr int KeptFragments = 24;
 
   /// Nodes of the runs that Sort starts from.

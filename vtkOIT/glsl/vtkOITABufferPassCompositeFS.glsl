@@ -10,7 +10,7 @@
 //
 // The rounding error of T -= T alpha is kept and added again (Kahan, Further remarks on reducing
 // truncation errors, CACM 1965): a thousand layers of opacity 1e-6 would be 1 % off without. Not for
-// the first 32, which are blended as Resolve would: what it has behind a group of opacity 1, or has
+// the first 64, which are blended as Resolve would: what it has behind a group of opacity 1, or has
 // not, does not change the picture then. Nothing is seen behind such a group, so it ends the walk,
 // as does a transmittance of at most the threshold.
 
@@ -35,7 +35,7 @@
     transmittance = opacity < 1.0 ? sum : 0.0;                                                     \
   }
 
-const uint OIT_PLAIN_GROUPS = 32u; // the first is empty; the error of the last one counts behind it
+const uint OIT_PLAIN_GROUPS = 64u; // the first is empty; the error of the last one counts behind it
 
 uniform float oitThreshold; // of the transmittance
 

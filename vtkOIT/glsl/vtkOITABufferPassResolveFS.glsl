@@ -16,10 +16,19 @@
 
 //VTK::OIT::RegisterMacros
 
+// As SecondChance and Composite do it, lists of more than OIT_LONG_LIST fragments end at the
+// threshold.
+#ifdef OIT_LONG_LIST
+uniform float oitThreshold; // of the transmittance
+#define OIT_IS_AT_END (count > OIT_LONG_LIST && transmittance <= oitThreshold)
+#else
+#define OIT_IS_AT_END false
+#endif
+
 #define OIT_BLEND(i)                                                                               \
   {                                                                                                \
     vec4 c = oitUnpack(color##i);                                                                  \
-    float w = transmittance * c.a;                                                                 \
+    float w = OIT_IS_AT_END ? 0.0 : transmittance * c.a;                                           \
     color += w * c.rgb;                                                                            \
     transmittance -= w;                                                                            \
   }
@@ -32,7 +41,7 @@ void oitNote(uint fragments, bool isLeft)
   ivec2 at = ivec2(gl_FragCoord.xy);
   ivec2 inside = at - oitCorner;
   bool isInside = all(greaterThanEqual(inside, ivec2(0))) && all(lessThan(inside, oitSize));
-  float most = !isInside ? 0.0 : isLeft ? 64.0 : float(fragments); // 64: above all networks
+  float most = !isInside ? 0.0 : isLeft ? 128.0 : float(fragments); // 128: above all networks
   float sum = isInside ? float(fragments) : 0.0;
   ivec2 odd = at & 1;
   float mostOfPair = max(most, odd.x == 0 ? most + dFdx(most) : most - dFdx(most));
@@ -49,7 +58,7 @@ void oitNote(uint fragments, bool isLeft)
   if (most > 0.0 && (isOnDiagonal || ((odd.x == 0 || isEdge.x) && (odd.y == 0 || isEdge.y))))
   {
     int tile = oitFindTile();
-    atomicMax(oitTiles[tile].Complexity, most < 64.0 ? uint(most) : OIT_TRY_AGAIN);
+    atomicMax(oitTiles[tile].Complexity, most < 128.0 ? uint(most) : OIT_TRY_AGAIN);
     atomicAdd(oitTiles[tile].Fragments, uint(sum));
   }
 }
@@ -71,5 +80,11 @@ void main()
   {
     discard;
   }
+#ifdef OIT_LONG_LIST
+  if (OIT_IS_AT_END && transmittance > 0.0)
+  {
+    atomicMax(oitSkipped, floatBitsToUint(transmittance));
+  }
+#endif
   oitWrite(color, transmittance);
 }

@@ -2,14 +2,14 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// SecondChance: for pixels that Resolve left, in the tiles that it marked, with the largest network.
-// Also the first try of tiles that are expected to have more fragments than that takes.
+// SecondChance: for pixels that Resolve left, in the tiles that it marked, with a network of
+// OIT_LONG_LIST fragments. Also the first try of tiles that are expected to have more than Resolve takes.
 //
 // Longer lists are read to their end, keeping the nearest OIT_KEPT fragments: as long as the
 // transmittance behind them is at most the threshold, which 0 is when one of them has opacity 1,
 // others are not seen. Otherwise, and for coincident fragments, the pixel is marked for Sort and
 // Composite. So the picture does not depend on the order of drawing: a list of more than
-// OIT_NETWORK_SIZE fragments is composited up to the first at which the threshold is reached, here
+// OIT_LONG_LIST fragments is composited up to the first at which the threshold is reached, here
 // or there.
 
 //VTK::OIT::Node
