@@ -48,12 +48,16 @@ std::vector<Layer> CutOff(const std::vector<Layer>& layers, double threshold, do
   return seen;
 }
 
-/// As often as `frames`.
+/// As often as `frames`. With `hasTieBehind` the two farthest layers coincide.
 void CheckThreshold(TestReport& report, TestRig& rig, const Setup& setup, int count, float opacity,
-  int together, int frames)
+  int together, int frames, bool hasTieBehind = false)
 {
   auto* pass = vtkOITABufferPass::SafeDownCast(rig.Pass);
-  const std::vector<Layer> layers = MakeLayers(count, opacity, together);
+  std::vector<Layer> layers = MakeLayers(count, opacity, together);
+  if (hasTieBehind)
+  {
+    layers[count - 2].Depth = layers[count - 1].Depth;
+  }
   for (const double threshold : { 0.0, 1.0 / 512 })
   {
     double skipped = 0.0;
@@ -111,5 +115,6 @@ int TestABufferThreshold(int argc, char* argv[])
       // From the ninth frame on with lists of 33 to 64 fragments they are sorted in registers.
       CheckThreshold(report, rig, setup, 64, 0.2f, 1, 10);
       CheckThreshold(report, rig, setup, 33, 0.2f, 2, 3);
+      CheckThreshold(report, rig, setup, 60, 0.4f, 1, 12, true);
     });
 }

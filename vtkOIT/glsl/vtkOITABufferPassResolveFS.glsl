@@ -75,6 +75,13 @@ void main()
   //VTK::OIT::Registers
   bool isLeft = isTied || node != OIT_END;
   oitNote(node == OIT_END ? count : 0u, isLeft);
+#ifdef OIT_LONG_LIST
+  if (isLeft)
+  {
+    // SecondChance does not see coincident fragments behind the nearest of a long list.
+    imageStore(oitHeads, pixel, uvec4(head | OIT_LEFT));
+  }
+#endif
   bool isMine = head != OIT_END && !isLeft;
   if (!isMine)
   {

@@ -40,6 +40,8 @@ void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy) - oitOrigin;
   uint head = imageLoad(oitHeads, pixel).x;
+  bool wasLeft = head != OIT_END && (head & OIT_LEFT) != 0u; // by the network for long lists
+  head = wasLeft ? head & ~OIT_LEFT : head;
   uint node = head;
   uint count = 0u;
   vec3 color = vec3(0.0);
@@ -65,7 +67,11 @@ void main()
     imageStore(oitHeads, pixel, uvec4(head | OIT_LEFT));
     atomicOr(oitTiles[oitFindTile()].Complexity, OIT_HAS_LISTS);
   }
-  if (isLeft || !(isTied || wasIncomplete) || head == OIT_END)
+  else if (wasLeft)
+  {
+    imageStore(oitHeads, pixel, uvec4(head));
+  }
+  if (isLeft || !(isTied || wasIncomplete || wasLeft) || head == OIT_END)
   {
     discard;
   }
