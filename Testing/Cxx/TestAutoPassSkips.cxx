@@ -158,8 +158,7 @@ void CheckManySmall(TestReport& report, const Setup& setup)
   for (int i = 0; i < 40; ++i)
   {
     const int row = i / 8;
-    AddSphere(
-      rig, i % 2 == 0 ? Red : Blue, { 0.25 * (i % 8) - 0.9, 0.35 * row - 0.7, 0.0 }, 0.05);
+    AddSphere(rig, i % 2 == 0 ? Red : Blue, { 0.25 * (i % 8) - 0.9, 0.35 * row - 0.7, 0.0 }, 0.05);
   }
   rig.Render();
   const std::string expected =
