@@ -240,7 +240,7 @@ void vtkOITPeelingPass::PeelBand(vtkOITFrame& frame, std::size_t number)
       end = { 1, true };
       return;
     }
-    impl.State.Mask(peeler.GetMaskSide(static_cast<int>(peels)), peels);
+    impl.State.Mask(peels);
     ++peels;
     isFinished = this->UseOcclusionQuery && impl.IsFinished(peels, end.Peels, fewestPixels);
   }

@@ -46,14 +46,6 @@ vtkOITPeelState::Layout vtkOITDualLayerPeeler::GetLayout(const vtkOITFrame&) con
 }
 
 //------------------------------------------------------------------------------
-// The sides take turns, so that props which are peeled from the front and props which are peeled
-// from the back are both found out.
-vtkOITPeelState::MaskSide vtkOITDualLayerPeeler::GetMaskSide(int number) const
-{
-  return number % 2 == 0 ? vtkOITPeelState::MaskSide::Back : vtkOITPeelState::MaskSide::Front;
-}
-
-//------------------------------------------------------------------------------
 int vtkOITDualLayerPeeler::GetBytesPerPixel(const vtkOITFrame&) const
 {
   return this->GetNumberOfBuffers() * vtkOITTextureArray::GetBytesPerTexel(GL_RGBA32UI);

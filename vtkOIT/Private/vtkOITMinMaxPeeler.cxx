@@ -34,15 +34,6 @@ vtkOITPeelState::Layout vtkOITMinMaxPeeler::GetLayout(const vtkOITFrame& frame) 
 }
 
 //------------------------------------------------------------------------------
-// The sides take turns, so that props which are peeled from the front and props which are peeled
-// from the back are both found out.
-vtkOITPeelState::MaskSide vtkOITMinMaxPeeler::GetMaskSide(int number) const
-{
-  return this->IsDual && number % 2 == 0 ? vtkOITPeelState::MaskSide::Back
-                                         : vtkOITPeelState::MaskSide::Front;
-}
-
-//------------------------------------------------------------------------------
 int vtkOITMinMaxPeeler::GetBytesPerPixel(const vtkOITFrame& frame) const
 {
   return this->GetNumberOfSums(vtkOITPeelState::CanWorkInPlace(frame)) *

@@ -31,7 +31,6 @@ public:
   int GetBytesPerPixel(const vtkOITFrame& frame) const override;
   std::int64_t GetSizeInBytes() const override { return this->Sums.GetSizeInBytes(); }
 
-  vtkOITPeelState::MaskSide GetMaskSide(int number) const override;
   void Begin(const vtkOITPeelContext& context) override;
   void Peel(const vtkOITPeelContext& context, int number) override;
   void PeelRest(const vtkOITPeelContext& context) override;

@@ -227,11 +227,13 @@ void vtkOITPeelState::Resolve(vtkOITScreenStage& stage,
 }
 
 //------------------------------------------------------------------------------
-void vtkOITPeelState::Mask(MaskSide side, std::size_t peel)
+// Where layers are peeled from both sides these take turns, so that props which are peeled from the
+// front and props which are peeled from the back are both found out.
+void vtkOITPeelState::Mask(std::size_t peel)
 {
   vtkOpenGLState* state = this->Frame->GLState;
-  this->Side = side;
-  const bool isFront = side == MaskSide::Front;
+  const bool isFront = !this->TheLayout.HasBack || peel % 2 != 0;
+  this->Side = isFront ? MaskSide::Front : MaskSide::Back;
   this->MaskFramebuffer.Bind(this->Frame->Window, {}, this->MaskDepth.GetLayer(0));
   state->vtkglDepthMask(GL_TRUE);
   this->Region.SetScissor();

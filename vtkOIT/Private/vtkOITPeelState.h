@@ -75,7 +75,7 @@ public:
   std::string AssembleResolve(const char* stage, const std::string& definitions) const;
 
   /// Draws the Mask of the region after this peel; counts the pixels that are not finished.
-  void Mask(MaskSide side, std::size_t peel);
+  void Mask(std::size_t peel);
 
   /// Where pixels are left to peel. Gather and Mask are limited to it, Resolve is in place.
   vtkOITPeelRegion& GetRegion() { return this->Region; }

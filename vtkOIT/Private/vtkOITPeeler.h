@@ -44,12 +44,6 @@ public:
   virtual int GetBytesPerPixel(const vtkOITFrame& frame) const = 0;
   virtual std::int64_t GetSizeInBytes() const = 0;
 
-  /// Which side the Mask after this peel is for.
-  virtual vtkOITPeelState::MaskSide GetMaskSide(int) const
-  {
-    return vtkOITPeelState::MaskSide::Front;
-  }
-
   /// Whether a prop without a fragment that passes in a peel has none for later peels.
   virtual bool CanCullProps() const { return true; }
 
