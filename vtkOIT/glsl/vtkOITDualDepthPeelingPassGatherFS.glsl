@@ -27,6 +27,20 @@ layout(location = 3) inout uvec4 oitColor1;
 #endif
 //VTK::OIT::LayerBuffers
 
+// The layer becomes the carried one where that belongs there, which carries what was there on. A
+// layer of this key is the one that the fragment joins: it keeps its place.
+void oitExchange(inout OITLayer carried, inout OITLayer layer, bool belongs, int key)
+{
+  OITLayer before = layer;
+  bool isNew = belongs || before.Key == key;
+  layer.Key = belongs ? carried.Key : before.Key;
+  layer.Opacity = isNew ? carried.Opacity : before.Opacity;
+  layer.Color = isNew ? carried.Color : before.Color;
+  carried.Key = belongs ? before.Key : carried.Key;
+  carried.Opacity = belongs ? before.Opacity : carried.Opacity;
+  carried.Color = belongs ? before.Color : carried.Color;
+}
+
 // Packing is expensive, and a CPU runs both sides of a branch, so one colour is packed: that of the
 // fragment, or that of the layer of coincident fragments which it joins. True when the fragment, or
 // a layer that had to make room for it, is left out.
@@ -60,28 +74,12 @@ bool oitInsert(int key, vec4 color)
     OITLayer(isJoining ? OIT_NO_NEAR : key, isJoining ? opacity : color.a, bits);
   for (int i = 0; i < OIT_SIDE; ++i)
   {
-    OITLayer layer = oitKept[i];
-    bool isBefore = carried.Key < layer.Key;
-    bool isNew = isBefore || layer.Key == key;
-    oitKept[i].Key = isBefore ? carried.Key : layer.Key;
-    oitKept[i].Opacity = isNew ? carried.Opacity : layer.Opacity;
-    oitKept[i].Color = isNew ? carried.Color : layer.Color;
-    carried.Key = isBefore ? layer.Key : carried.Key;
-    carried.Opacity = isBefore ? layer.Opacity : carried.Opacity;
-    carried.Color = isBefore ? layer.Color : carried.Color;
+    oitExchange(carried, oitKept[i], carried.Key < oitKept[i].Key, key);
   }
   carried.Key = carried.Key == OIT_NO_NEAR ? OIT_NO_FAR : carried.Key;
   for (int i = OIT_SIDE; i < OIT_LAYERS; ++i)
   {
-    OITLayer layer = oitKept[i];
-    bool isBehind = carried.Key > layer.Key;
-    bool isNew = isBehind || layer.Key == key;
-    oitKept[i].Key = isBehind ? carried.Key : layer.Key;
-    oitKept[i].Opacity = isNew ? carried.Opacity : layer.Opacity;
-    oitKept[i].Color = isNew ? carried.Color : layer.Color;
-    carried.Key = isBehind ? layer.Key : carried.Key;
-    carried.Opacity = isBehind ? layer.Opacity : carried.Opacity;
-    carried.Color = isBehind ? layer.Color : carried.Color;
+    oitExchange(carried, oitKept[i], carried.Key > oitKept[i].Key, key);
   }
   return carried.Key > OIT_NO_FAR;
 }
