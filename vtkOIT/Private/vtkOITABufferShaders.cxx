@@ -21,6 +21,15 @@
 
 #include <tuple>
 
+namespace
+{
+/// For stages that have lists in registers which may end at the threshold.
+std::string DefineLongList()
+{
+  return "#define OIT_LONG_LIST " + std::to_string(vtkOITABufferShaders::LongList) + "u\n";
+}
+}
+
 //------------------------------------------------------------------------------
 bool vtkOITABufferShaders::operator==(const vtkOITABufferShaders& other) const
 {
@@ -132,20 +141,17 @@ std::string vtkOITABufferShaders::GetCount() const
 //------------------------------------------------------------------------------
 std::string vtkOITABufferShaders::GetResolve(int networkSize) const
 {
-  std::string text = this->Assemble(vtkOITABufferPassResolveFS, this->GetOutputHeader());
+  std::string text = this->Assemble(vtkOITABufferPassResolveFS,
+    this->GetOutputHeader() + (networkSize > LongList ? DefineLongList() : std::string()));
   vtkOITReplace(text, "//VTK::OIT::Registers", vtkOITRegisterResolve(networkSize));
-  if (networkSize > LongList)
-  {
-    vtkOITReplace(text, "//VTK::System::Dec",
-      "//VTK::System::Dec\n#define OIT_LONG_LIST " + std::to_string(LongList) + "u\n");
-  }
   return text;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkOITABufferShaders::GetSecondChance() const
 {
-  std::string text = this->Assemble(vtkOITABufferPassSecondChanceFS, this->GetOutputHeader());
+  std::string text =
+    this->Assemble(vtkOITABufferPassSecondChanceFS, this->GetOutputHeader() + DefineLongList());
   vtkOITReplace(text, "//VTK::OIT::Registers", vtkOITRegisterSelect(LongList, KeptFragments));
   return text;
 }

@@ -3,7 +3,7 @@
 //
 // Fragments in registers, for the stages Resolve and SecondChance: variables key0, color0, key1 and
 // so on. The text that loads, sorts and blends them is generated. Variables of the stage: the next
-// node, count of loaded ones, isTied.
+// node, count of loaded ones, isTied; color and transmittance of what is composited.
 
 #define OIT_DECLARE(i)                                                                             \
   uint key##i = OIT_NO_KEY;                                                                        \
@@ -33,3 +33,20 @@
   }
 
 #define OIT_NOTE_TIE(i, j) isTied = isTied || (key##i == key##j && key##i != OIT_NO_KEY);
+
+// Composites, front to back. Lists of more than OIT_LONG_LIST fragments end at the threshold, as in
+// Composite; without it there are none in registers.
+#ifdef OIT_LONG_LIST
+uniform float oitThreshold; // of the transmittance
+#define OIT_IS_AT_END (count > OIT_LONG_LIST && transmittance <= oitThreshold)
+#else
+#define OIT_IS_AT_END false
+#endif
+
+#define OIT_BLEND(i)                                                                               \
+  {                                                                                                \
+    vec4 c = oitUnpack(color##i);                                                                  \
+    float w = OIT_IS_AT_END ? 0.0 : transmittance * c.a;                                           \
+    color += w * c.rgb;                                                                            \
+    transmittance -= w;                                                                            \
+  }

@@ -16,23 +16,6 @@
 
 //VTK::OIT::RegisterMacros
 
-// As SecondChance and Composite do it, lists of more than OIT_LONG_LIST fragments end at the
-// threshold.
-#ifdef OIT_LONG_LIST
-uniform float oitThreshold; // of the transmittance
-#define OIT_IS_AT_END (count > OIT_LONG_LIST && transmittance <= oitThreshold)
-#else
-#define OIT_IS_AT_END false
-#endif
-
-#define OIT_BLEND(i)                                                                               \
-  {                                                                                                \
-    vec4 c = oitUnpack(color##i);                                                                  \
-    float w = OIT_IS_AT_END ? 0.0 : transmittance * c.a;                                           \
-    color += w * c.rgb;                                                                            \
-    transmittance -= w;                                                                            \
-  }
-
 // Notes the pixel's fragments in its tile: `fragments` of them, or more when it is left. Of four
 // pixels one does it for all, as atomics are slow on a CPU; on the diagonal each for itself, because
 // the tile's two triangles see only their own pixels of the four.

@@ -17,7 +17,6 @@
 //VTK::OIT::Output
 //VTK::OIT::RegisterMacros
 
-uniform float oitThreshold; // of the transmittance
 flat in int oitNetworkSize; // of the first try; -1: this is the first
 
 // As it is blended, to the bit; not the last one kept, which might coincide with one that was not.
@@ -27,14 +26,6 @@ flat in int oitNetworkSize; // of the first try; -1: this is the first
 #define OIT_FORGET(i)                                                                              \
   key##i = isLong ? OIT_NO_KEY : key##i;                                                           \
   color##i = isLong ? OITColor(0u) : color##i;
-
-#define OIT_BLEND(i)                                                                               \
-  {                                                                                                \
-    vec4 c = oitUnpack(color##i);                                                                  \
-    float w = isLong && transmittance <= oitThreshold ? 0.0 : transmittance * c.a;                 \
-    color += w * c.rgb;                                                                            \
-    transmittance -= w;                                                                            \
-  }
 
 void main()
 {
