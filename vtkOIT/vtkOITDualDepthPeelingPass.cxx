@@ -9,6 +9,7 @@
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <utility>
 
 vtkStandardNewMacro(vtkOITDualDepthPeelingPass);
 
@@ -25,24 +26,23 @@ vtkOITDualDepthPeelingPass::~vtkOITDualDepthPeelingPass() = default;
 void vtkOITDualDepthPeelingPass::RenderTranslucent(vtkOITFrame& frame)
 {
   const bool keepsLayers = vtkOITPeelState::CanWorkInPlace(frame);
-  if (keepsLayers != this->KeepsLayers)
+  if (keepsLayers && !this->LayerPeeler)
   {
-    this->KeepsLayers = keepsLayers;
-    if (keepsLayers)
-    {
-      this->SetPeeler(std::make_unique<vtkOITDualLayerPeeler>());
-    }
-    else
-    {
-      this->SetPeeler(std::make_unique<vtkOITMinMaxPeeler>(true));
-    }
+    auto peeler = std::make_unique<vtkOITDualLayerPeeler>();
+    this->LayerPeeler = peeler.get();
+    this->SetPeeler(std::move(peeler));
   }
-  if (keepsLayers)
+  else if (!keepsLayers && this->LayerPeeler)
   {
-    static_cast<vtkOITDualLayerPeeler&>(this->GetPeeler()).SetLayersPerSide(this->LayersPerSide);
+    this->LayerPeeler = nullptr;
+    this->SetPeeler(std::make_unique<vtkOITMinMaxPeeler>(true));
+  }
+  if (this->LayerPeeler)
+  {
+    this->LayerPeeler->SetLayersPerSide(this->LayersPerSide);
   }
   this->Superclass::RenderTranslucent(frame);
-  if (keepsLayers && this->FragmentPrecision == HALF)
+  if (this->LayerPeeler && this->FragmentPrecision == HALF)
   {
     this->ChooseLayersPerSide();
   }

@@ -49,6 +49,8 @@
 #include "vtkOITModule.h" // for the export macro
 #include "vtkOITPeelingPass.h"
 
+class vtkOITDualLayerPeeler;
+
 class VTKOIT_EXPORT vtkOITDualDepthPeelingPass : public vtkOITPeelingPass
 {
 public:
@@ -66,9 +68,10 @@ protected:
 private:
   void ChooseLayersPerSide();
 
-  bool KeepsLayers = false; // of the pixels, because shaders can read the framebuffer
-  int LayersPerSide = 3;    // then, of a peel
-  int FramesWithFewer = 0;  // in a row
+  // The peeler, when it is one that keeps layers because shaders can read the framebuffer.
+  vtkOITDualLayerPeeler* LayerPeeler = nullptr;
+  int LayersPerSide = 3;   // then, of a peel
+  int FramesWithFewer = 0; // in a row
 
   vtkOITDualDepthPeelingPass(const vtkOITDualDepthPeelingPass&) = delete;
   void operator=(const vtkOITDualDepthPeelingPass&) = delete;
