@@ -13,8 +13,6 @@
 #include "Private/vtkOITShaderText.h"
 
 #include "vtkOITFragmentFS.h"
-#include "vtkOITFullScreenVS.h"
-#include "vtkOITOutputFS.h"
 #include "vtkOITWeightedPassCompositeFS.h"
 #include "vtkOITWeightedPassGatherFS.h"
 
@@ -47,13 +45,12 @@ public:
   void Release();
 
   int Mode = -1; // of the shaders
-  bool ByFetch = false;
   vtkTimeStamp ShaderTime;
   vtkOITBands Bands;
   vtkOITTextureArray Sums;
   vtkOITDepthCopy OpaqueDepth;
   vtkOITFramebuffer Framebuffer;
-  vtkOITScreenStage CompositeStage;
+  vtkOITOutputStage CompositeStage;
   vtkOITPixelStatistics Statistics;
   vtkOITEyeDepthInterval Interval;
   const vtkOITFrame* Frame = nullptr; // during a geometry pass
@@ -62,17 +59,12 @@ public:
 //------------------------------------------------------------------------------
 void vtkOITWeightedPass::Internals::Prepare(const vtkOITFrame& frame, int mode)
 {
-  const bool byFetch = vtkOITWritesByFetch(frame);
   if (mode != this->Mode)
   {
     this->ShaderTime.Modified();
-  }
-  if (mode != this->Mode || byFetch != this->ByFetch)
-  {
     this->CompositeStage.Release();
+    this->Mode = mode;
   }
-  this->Mode = mode;
-  this->ByFetch = byFetch;
   this->Interval = vtkOITEyeDepthInterval::Find(frame);
 }
 
@@ -88,24 +80,18 @@ std::string vtkOITWeightedPass::Internals::GetDefinitions() const
 void vtkOITWeightedPass::Internals::Composite(
   const vtkOITFrame& frame, const vtkOITRectangle& storage)
 {
-  vtkOpenGLState* state = frame.GLState;
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_CULL_FACE);
-  vtkOITSetOutputBlending(state, this->ByFetch);
   this->CompositeStage.Render(
-    frame.Window, vtkOITFullScreenVS,
+    frame,
     [this]
     {
-      const std::string header = vtkOITGetOutputHeader(this->ByFetch) + this->GetDefinitions();
       std::string text = vtkOITWeightedPassCompositeFS;
-      vtkOITReplace(text, "//VTK::System::Dec", "//VTK::System::Dec\n" + header);
-      vtkOITReplace(text, "//VTK::OIT::Output", vtkOITOutputFS);
+      vtkOITReplace(text, "//VTK::System::Dec", "//VTK::System::Dec\n" + this->GetDefinitions());
       return text;
     },
     [&](vtkShaderProgram* program)
     {
       const int origin[2] = { storage.X, storage.Y };
-      this->Sums.Bind(state, Unit);
+      this->Sums.Bind(frame.GLState, Unit);
       program->SetUniformi("oitState", Unit);
       program->SetUniform2i("oitOrigin", origin);
     });
