@@ -60,7 +60,7 @@ class TestSkips(BenchTest):
                 self.assertIn(skip.told, row["summary"])
         switches = {row["skip"]: row for row in rows}
         self.assertEqual(set(switches), {row.name for row in skips.skips()})
-        self.assertLessEqual({"SkipInvisibleProps", "SkipSorting", "ReuseFrames",
+        self.assertLessEqual({"SkipInvisibleProps", "SkipSorting", "SkipHiddenFragments", "ReuseFrames",
                               "TransmittanceThreshold", "UseOcclusionQuery"}, set(switches))
         self.assertEqual(switches["ReuseFrames"]["passes_on"], 0)
         self.assertEqual(switches["ReuseFrames"]["passes_off"], 1)

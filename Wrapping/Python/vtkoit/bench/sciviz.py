@@ -31,7 +31,8 @@ def scenes():
               look_at_spheres),
         Scene("grass", "3000 blades of grass as quads with an opacity gradient", _grass,
               _look_at_grass),
-        Scene("foliage", "4000 leaves as textured quads", _foliage, look_at_spheres),
+        Scene("foliage", "4000 leaves as textured quads",
+              lambda: foliage(4000, 0.8), look_at_spheres),
         Scene("scan", "a knot of 200 k triangles seen through itself", _scan, look_at_spheres),
     ]
 
@@ -217,10 +218,10 @@ def _look_at_grass(renderer):
     renderer.ResetCameraClippingRange()
 
 
-def _foliage():
-    """A tree's crown of leaves: textured quads with soft edges, in all directions."""
+def foliage(count, opacity):
+    """A tree's crown of leaves: textured quads with soft edges, in all directions; list of Part. opacity:
+    float, of what is no edge."""
     random = numpy.random.default_rng(6)
-    count = 4000
     center = random.normal(size=(count, 3)) * [0.45, 0.45, 0.5]
     axes = random.normal(size=(count, 2, 3))
     first = axes[:, 0] / numpy.linalg.norm(axes[:, 0], axis=1)[:, None]
@@ -232,7 +233,8 @@ def _foliage():
     coordinates = numpy.tile([(0, 0), (1, 0), (1, 1), (0, 1)], (count, 1))
     leaves = mesh(corners.reshape(-1, 3), numpy.arange(4 * count).reshape(-1, 4),
                   coordinates=coordinates)
-    return [Part(leaves, (1.0, 1.0, 1.0), 1.0, "unlit", 0.0, _leaf_texture)]
+    return [Part(leaves, (1.0, 1.0, 1.0), 1.0, "unlit", 0.0,
+                 lambda: _leaf_texture(opacity))]
 
 
 def _texture(pixels):
@@ -258,12 +260,12 @@ def _blade_texture():
                                   edge * (1.0 - 0.8 * v)]))
 
 
-def _leaf_texture():
+def _leaf_texture(opacity):
     v, u = numpy.mgrid[0:64, 0:64] / 31.5 - 1.0
     inside = 1.0 - u * u - (v / numpy.maximum(0.15, 1.0 - u * u)) ** 2
     vein = numpy.exp(-(v / 0.06) ** 2)
     return _texture(numpy.dstack([0.2 + 0.3 * vein, 0.5 + 0.2 * vein, 0.15 + 0.1 * vein,
-                                  0.8 * numpy.clip(4.0 * inside, 0, 1)]))
+                                  opacity * numpy.clip(4.0 * inside, 0, 1)]))
 
 
 def _scan():

@@ -7,7 +7,7 @@ import collections
 import numpy
 
 from ..errors import Error
-from . import catalogue, families, rounds
+from . import catalogue, families, rounds, sciviz
 from .document import table
 from .measure import REFERENCE
 from .scene import Part, Scene, facing, quads, rainbow, sphere
@@ -24,6 +24,7 @@ a frame)."""
 INVISIBLE = "props left out: invisible"
 ORDERED = "props blended: their order is known"
 REUSED = "whole frame reused"
+HIDDEN = "fragments behind those of opacity 1 left out"
 
 
 def skips(is_quick=False):
@@ -43,6 +44,8 @@ def skips(is_quick=False):
         sorting("deep"), sorting("disjoint"), sorting("one-sphere"),
         reuse("spheres"), reuse("small-props"),
         threshold("dual"), threshold("multilayer"),
+        Skip("TransmittanceThreshold", "molecule", "auto", "auto:TransmittanceThreshold=0", None, 0.5),
+        Skip("SkipHiddenFragments", _leaves(), "auto", "auto:SkipHiddenFragments=0", HIDDEN, 0.5),
         Skip("UseOcclusionQuery", "one-sphere", "dual",
              "dual:UseOcclusionQuery=0,MaximumNumberOfPeels=8", "", 0.5),
         Skip("UseOcclusionQuery: props", _corner(), "dual",
@@ -59,6 +62,15 @@ def _faded():
 
     return Scene("faded", "400 small spheres, every second one of opacity 0", make,
                  families.look_at_spheres)
+
+
+def _leaves():
+    def place(renderer):
+        families.look_at_spheres(renderer)
+        renderer.GetActiveCamera().Zoom(2.0)
+
+    return Scene("leaves", "20000 leaves as textured quads, solid but for their edges",
+                 lambda: sciviz.foliage(20000, 1.0), place)
 
 
 def _corner():
@@ -161,7 +173,9 @@ def page(results, where, command, settings, size):
         "\n".join(told), _NOTES.strip("\n")]) + "\n"
 
 
-_NOTES = """`UseOcclusionQuery: props` is what queries of single props save, which are not drawn any more once they have no layers left: the
+_NOTES = """Nothing tells of the threshold in the long lists of the A-buffer (molecule) but the time.
+
+`UseOcclusionQuery: props` is what queries of single props save, which are not drawn any more once they have no layers left: the
 other frame has as many peels. `dual` has 8 peels without queries in one-sphere, what a scene of 32 layers would need.
 
 Not switchable, and in all numbers: no translucent prop in the view costs nothing; stages run inside the props' rectangle; fragments
