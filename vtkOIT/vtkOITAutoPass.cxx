@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITAutoPass.h"
 
-#include "Private/vtkOITBlendPlan.h"
-#include "Private/vtkOITCapabilities.h"
-#include "Private/vtkOITDepthCheck.h"
-#include "Private/vtkOITFrame.h"
-#include "Private/vtkOITFrameSignature.h"
-#include "Private/vtkOITLayerTarget.h"
-#include "Private/vtkOITMeshShapes.h"
-#include "Private/vtkOITOutput.h"
-#include "Private/vtkOITSavedState.h"
-#include "Private/vtkOITScreenRectangle.h"
-#include "Private/vtkOITShaderText.h"
-#include "Private/vtkOITSorterChoice.h"
+#include "Private/Auto/vtkOITBlendPlan.h"
+#include "Private/Auto/vtkOITDepthCheck.h"
+#include "Private/Auto/vtkOITFrameSignature.h"
+#include "Private/Auto/vtkOITMeshShapes.h"
+#include "Private/Auto/vtkOITSorterChoice.h"
+#include "Private/Blending/vtkOITLayerTarget.h"
+#include "Private/Frame/vtkOITCapabilities.h"
+#include "Private/Frame/vtkOITFrame.h"
+#include "Private/Frame/vtkOITScreenExtents.h"
+#include "Private/GL/vtkOITOutput.h"
+#include "Private/GL/vtkOITSavedState.h"
+#include "Private/GL/vtkOITShaderText.h"
 
 #include "vtkOITABufferPass.h"
-#include "vtkOITAutoPassBesideFS.h"
-#include "vtkOITAutoPassBlendFS.h"
+#include "vtkOITBlendBesideFS.h"
+#include "vtkOITBlendFS.h"
 #include "vtkOITFragmentFS.h"
 #include "vtkOITOutputFS.h"
 #include "vtkOITPeelingPass.h"
@@ -420,10 +420,10 @@ void vtkOITAutoPass::SortProps(vtkOITFrame& frame)
 bool vtkOITAutoPass::PostReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
-  std::string stage = std::string(vtkOITFragmentFS) + vtkOITAutoPassBlendFS;
+  std::string stage = std::string(vtkOITFragmentFS) + vtkOITBlendFS;
   const Internals& impl = *this->Impl;
   vtkOITReplace(
-    stage, "//VTK::OIT::Output", impl.ShadersBeside ? vtkOITAutoPassBesideFS : vtkOITOutputFS);
+    stage, "//VTK::OIT::Output", impl.ShadersBeside ? vtkOITBlendBesideFS : vtkOITOutputFS);
   std::string header = vtkOITGetOutputHeader(impl.BlendsByFetch);
   if (impl.ShadersBeside)
   {

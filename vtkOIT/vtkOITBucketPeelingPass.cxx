@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITBucketPeelingPass.h"
 
-#include "Private/vtkOITBucketPeeler.h"
-#include "Private/vtkOITFrame.h"
+#include "Private/Frame/vtkOITFrame.h"
+#include "Private/Peeling/vtkOITBucketPeeler.h"
 
 #include "vtkObjectFactory.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITDepthPeelingPass.h"
 
-#include "Private/vtkOITMinMaxPeeler.h"
+#include "Private/Peeling/vtkOITMinMaxPeeler.h"
 
 #include "vtkObjectFactory.h"
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITDualDepthPeelingPass.h"
 
-#include "Private/vtkOITDualLayerPeeler.h"
-#include "Private/vtkOITFrame.h"
-#include "Private/vtkOITMinMaxPeeler.h"
+#include "Private/Frame/vtkOITFrame.h"
+#include "Private/Peeling/vtkOITDualPeeler.h"
+#include "Private/Peeling/vtkOITMinMaxPeeler.h"
 
 #include "vtkObjectFactory.h"
 
@@ -28,7 +28,7 @@ void vtkOITDualDepthPeelingPass::RenderTranslucent(vtkOITFrame& frame)
   const bool keepsLayers = vtkOITPeelState::CanWorkInPlace(frame);
   if (keepsLayers && !this->LayerPeeler)
   {
-    auto peeler = std::make_unique<vtkOITDualLayerPeeler>();
+    auto peeler = std::make_unique<vtkOITDualPeeler>();
     this->LayerPeeler = peeler.get();
     this->SetPeeler(std::move(peeler));
   }
@@ -56,8 +56,7 @@ void vtkOITDualDepthPeelingPass::ChooseLayersPerSide()
 {
   constexpr int framesToAgree = 3;
   const int layers = this->MaximumDepthComplexity;
-  const int wanted =
-    std::min((std::max(layers, 1) + 1) / 2, vtkOITDualLayerPeeler::MostLayersPerSide);
+  const int wanted = std::min((std::max(layers, 1) + 1) / 2, vtkOITDualPeeler::MostLayersPerSide);
   this->FramesWithFewer = wanted < this->LayersPerSide ? this->FramesWithFewer + 1 : 0;
   if (wanted > this->LayersPerSide || this->FramesWithFewer >= framesToAgree)
   {

@@ -49,7 +49,7 @@
 #include "vtkOITModule.h" // for the export macro
 #include "vtkOITPeelingPass.h"
 
-class vtkOITDualLayerPeeler;
+class vtkOITDualPeeler;
 
 class VTKOIT_EXPORT vtkOITDualDepthPeelingPass : public vtkOITPeelingPass
 {
@@ -69,7 +69,7 @@ private:
   void ChooseLayersPerSide();
 
   // The peeler, when it is one that keeps layers because shaders can read the framebuffer.
-  vtkOITDualLayerPeeler* LayerPeeler = nullptr;
+  vtkOITDualPeeler* LayerPeeler = nullptr;
   int LayersPerSide = 3;   // then, of a peel
   int FramesWithFewer = 0; // in a row
 

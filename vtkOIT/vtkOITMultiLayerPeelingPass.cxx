@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITMultiLayerPeelingPass.h"
 
-#include "Private/vtkOITCapabilities.h"
-#include "Private/vtkOITFrame.h"
-#include "Private/vtkOITLayerSortPeeler.h"
+#include "Private/Frame/vtkOITCapabilities.h"
+#include "Private/Frame/vtkOITFrame.h"
+#include "Private/Peeling/vtkOITMultiLayerPeeler.h"
 
 #include "vtkObjectFactory.h"
 
 namespace
 {
-using Access = vtkOITLayerSortPeeler::Access;
+using Access = vtkOITMultiLayerPeeler::Access;
 
 /// Empty, or what the context lacks for this way of access.
 std::string FindMissingFor(const vtkOITCapabilities& capabilities, Access access, int layers)
@@ -55,7 +55,7 @@ vtkStandardNewMacro(vtkOITMultiLayerPeelingPass);
 
 //------------------------------------------------------------------------------
 vtkOITMultiLayerPeelingPass::vtkOITMultiLayerPeelingPass()
-  : vtkOITPeelingPass(std::make_unique<vtkOITLayerSortPeeler>())
+  : vtkOITPeelingPass(std::make_unique<vtkOITMultiLayerPeeler>())
 {
 }
 
@@ -109,7 +109,7 @@ std::string vtkOITMultiLayerPeelingPass::FindMissingCapability(
 //------------------------------------------------------------------------------
 void vtkOITMultiLayerPeelingPass::RenderTranslucent(vtkOITFrame& frame)
 {
-  auto& peeler = static_cast<vtkOITLayerSortPeeler&>(this->GetPeeler());
+  auto& peeler = static_cast<vtkOITMultiLayerPeeler&>(this->GetPeeler());
   peeler.SetNumberOfLayers(this->NumberOfLayersPerPass);
   for (const Access access : GetAllowed(this->Synchronization))
   {

@@ -4,11 +4,11 @@
 
 #include "vtkOITPassFactory.h"
 
-#include "Private/vtkOITCapabilities.h"
-#include "Private/vtkOITCompatibility.h"
-#include "Private/vtkOITFrame.h"
-#include "Private/vtkOITSavedState.h"
-#include "Private/vtkOITScreenRectangle.h"
+#include "Private/Frame/vtkOITCapabilities.h"
+#include "Private/Frame/vtkOITCompatibility.h"
+#include "Private/Frame/vtkOITFrame.h"
+#include "Private/Frame/vtkOITScreenExtents.h"
+#include "Private/GL/vtkOITSavedState.h"
 
 #include "vtkOpenGLError.h"
 #include "vtkOpenGLRenderWindow.h"

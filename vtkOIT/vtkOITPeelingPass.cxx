@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITPeelingPass.h"
 
-#include "Private/vtkOITBands.h"
-#include "Private/vtkOITCapabilities.h"
-#include "Private/vtkOITFrame.h"
-#include "Private/vtkOITPeeler.h"
-#include "Private/vtkOITPropCulling.h"
-#include "Private/vtkOITSavedState.h"
+#include "Private/Frame/vtkOITBands.h"
+#include "Private/Frame/vtkOITCapabilities.h"
+#include "Private/Frame/vtkOITFrame.h"
+#include "Private/GL/vtkOITSavedState.h"
+#include "Private/Peeling/vtkOITPeeler.h"
+#include "Private/Peeling/vtkOITPropCulling.h"
 
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"

@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITWeightedPass.h"
 
-#include "Private/vtkOITBands.h"
-#include "Private/vtkOITCapabilities.h"
-#include "Private/vtkOITDepthCopy.h"
-#include "Private/vtkOITEyeDepthInterval.h"
-#include "Private/vtkOITFrame.h"
-#include "Private/vtkOITOutput.h"
-#include "Private/vtkOITPixelStatistics.h"
-#include "Private/vtkOITSavedState.h"
-#include "Private/vtkOITShaderText.h"
+#include "Private/Frame/vtkOITBands.h"
+#include "Private/Frame/vtkOITCapabilities.h"
+#include "Private/Frame/vtkOITEyeDepthInterval.h"
+#include "Private/Frame/vtkOITFrame.h"
+#include "Private/GL/vtkOITDepthCopy.h"
+#include "Private/GL/vtkOITOutput.h"
+#include "Private/GL/vtkOITPixelStatistics.h"
+#include "Private/GL/vtkOITSavedState.h"
+#include "Private/GL/vtkOITShaderText.h"
 
 #include "vtkOITFragmentFS.h"
-#include "vtkOITWeightedPassCompositeFS.h"
-#include "vtkOITWeightedPassGatherFS.h"
+#include "vtkOITWeightedCompositeFS.h"
+#include "vtkOITWeightedGatherFS.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLState.h"
@@ -84,7 +84,7 @@ void vtkOITWeightedPass::Internals::Composite(
     frame,
     [this]
     {
-      std::string text = vtkOITWeightedPassCompositeFS;
+      std::string text = vtkOITWeightedCompositeFS;
       vtkOITReplace(text, "//VTK::System::Dec", "//VTK::System::Dec\n" + this->GetDefinitions());
       return text;
     },
@@ -238,7 +238,7 @@ bool vtkOITWeightedPass::PostReplaceShaderValues(
     header += "#define OIT_WRITES_DEPTH\n";
   }
   return vtkOITWrapFragmentShader(
-    fragmentShader, header, std::string(vtkOITFragmentFS) + vtkOITWeightedPassGatherFS);
+    fragmentShader, header, std::string(vtkOITFragmentFS) + vtkOITWeightedGatherFS);
 }
 
 //------------------------------------------------------------------------------

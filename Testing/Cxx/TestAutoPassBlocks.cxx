@@ -5,7 +5,7 @@
 
 #include "TestRig.h"
 
-#include "Private/vtkOITCompatibility.h"
+#include "Private/Frame/vtkOITCompatibility.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

@@ -6,7 +6,7 @@
 
 #include "TestReport.h"
 
-#include "vtkOITBlendCost.h"
+#include "Private/Auto/vtkOITBlendCost.h"
 
 #include <string>
 

@@ -5,7 +5,7 @@
 
 #include "TestReport.h"
 
-#include "vtkOITMeshShape.h"
+#include "Private/Auto/vtkOITMeshShape.h"
 
 #include "vtkCubeSource.h"
 #include "vtkNew.h"

@@ -6,7 +6,7 @@
 
 #include "TestReport.h"
 
-#include "vtkOITMeshShape.h"
+#include "Private/Auto/vtkOITMeshShape.h"
 #include "vtkVersionMacros.h"
 
 #include "vtkCellArray.h"

@@ -5,7 +5,7 @@
 
 #include "TestReport.h"
 
-#include "vtkOITPartialOrder.h"
+#include "Private/Auto/vtkOITPartialOrder.h"
 
 #include <string>
 #include <utility>

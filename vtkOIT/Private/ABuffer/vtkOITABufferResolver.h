@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkOITABufferResolver_h
+#define vtkOITABufferResolver_h
+
+#include "Private/ABuffer/vtkOITABufferShaders.h"
+#include "Private/ABuffer/vtkOITDepthComplexityMap.h"
+#include "Private/ABuffer/vtkOITFragmentStore.h"
+#include "Private/GL/vtkOITScreenStage.h"
+
+#include <array>
+
+class vtkOITFrame;
+class vtkShaderProgram;
+
+/**
+ * What an A-buffer does after capture, for the current rectangle of a store:
+ *
+ * 1. Each tile is drawn with the smallest sorting network that takes the depth complexity it had
+ *    in the last frame; beyond the largest one, as in step 3. The network for 64 fragments, which
+ *    takes seconds to compile, is used from the eighth frame on that has tiles for it. Without a
+ * last frame, Count finds the depth complexity.
+ * 2. Counters and tiles are read back: normally the only time that the pass waits for the GPU.
+ * 3. Tiles with pixels that were left, if any, get a second chance with the largest network, in
+ *    which the nearest fragments of longer lists may be enough; other long lists and coincident
+ *    fragments are sorted and composited.
+ *
+ * Multisampled framebuffers: Count, then all lists are sorted and composited once a sample.
+ */
+class vtkOITABufferResolver
+{
+public:
+  /// Programs for these shaders from now on.
+  void SetShaders(const vtkOITABufferShaders& shaders);
+
+  /// Draws into the framebuffer, unless the store has overflowed: then nothing is drawn. Changes
+  /// blending, draw buffers, colour mask and viewport.
+  vtkOITFragmentStore::Counters Resolve(const vtkOITFrame& frame, vtkOITFragmentStore& store);
+
+  /// Behind a transmittance of at most this, long lists need not be composited. Default 0.
+  void SetThreshold(float threshold) { this->Threshold = threshold; }
+
+  void Release();
+
+  /// The longest list that Sort and Composite can handle on every driver: one merge over it stays
+  /// below llvmpipe's 65535 loop iterations of a shader.
+  static constexpr int LongestList = 40000;
+
+private:
+  vtkOITFragmentStore::Counters Count(const vtkOITFrame& frame, const vtkOITFragmentStore& store);
+  void PrepareOutput(const vtkOITFrame& frame, const vtkOITFragmentStore& store) const;
+  void DrawExpected(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
+    const std::vector<std::uint32_t>& expected);
+  void DrawLists(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
+    vtkOITFragmentStore::Counters& counters, const std::array<int, 2>& tileClass);
+  void DrawTiles(vtkOITScreenStage& stage, const vtkOITFrame& frame,
+    const vtkOITFragmentStore& store, const std::array<int, 2>& tileClass,
+    const std::function<std::string()>& getFragmentShader,
+    const std::function<void(vtkShaderProgram*)>& setMore = {});
+
+  vtkOITABufferShaders Shaders;
+  float Threshold = 0.0f;
+  vtkOITDepthComplexityMap DepthComplexity;
+  vtkOITScreenStage CountStage;
+  std::array<vtkOITScreenStage, vtkOITABufferShaders::NetworkSizes.size()> ResolveStages;
+  int DeepFrames = 0; // that had tiles for the largest network
+  vtkOITScreenStage SecondChanceStage;
+  vtkOITScreenStage SortStage;
+  vtkOITScreenStage CompositeStage;
+};
+
+#endif

@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/ABuffer/vtkOITFragmentStore.h"
+
+#include "Private/Frame/vtkOITCapabilities.h"
+#include "Private/GL/vtkOITSharedDepth.h"
+
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace
+{
+constexpr std::int64_t BytesPerTexel = 16; // of the pool as a buffer texture, GL_RGBA32UI
+
+// The words before the tiles in the counter buffer: nodes, overflow, skipped, one unused.
+constexpr int CounterWords = 4;
+constexpr int SkippedWord = 2;
+// Words of a tile: depth complexity or marks; depth complexity of marked tiles; fragments.
+constexpr int TileWords = 3;
+
+constexpr GLsizeiptr GetCounterBytes(int tiles)
+{
+  return static_cast<GLsizeiptr>(sizeof(std::uint32_t)) * (CounterWords + TileWords * tiles);
+}
+
+constexpr GLsizeiptr GetExpectedBytes(int tiles)
+{
+  return static_cast<GLsizeiptr>(sizeof(std::uint32_t)) * tiles;
+}
+
+constexpr std::int64_t GetTileBytes(int tiles)
+{
+  return GetCounterBytes(tiles) + GetExpectedBytes(tiles);
+}
+
+constexpr std::int64_t RoundUp(std::int64_t value, std::int64_t step)
+{
+  return (value + step - 1) / step * step;
+}
+
+GLuint MakeBufferTexture(GLenum format, GLuint buffer)
+{
+  GLint bound = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_BUFFER, &bound);
+  GLuint texture = 0;
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_BUFFER, texture);
+  glTexBuffer(GL_TEXTURE_BUFFER, format, buffer);
+  glBindTexture(GL_TEXTURE_BUFFER, bound);
+  return texture;
+}
+}
+
+//------------------------------------------------------------------------------
+std::int64_t vtkOITFragmentStore::GetLargestPool(const vtkOITCapabilities& capabilities)
+{
+  // 2^31 - 1 nodes at most, because shaders get the capacity as an int.
+  return std::min<std::int64_t>(std::max(capabilities.MaximumStorageBlockSize,
+                                  capabilities.MaximumTextureBufferSize * BytesPerTexel),
+    (INT64_C(1) << 31) * BytesPerTexel - BytesPerTexel);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITFragmentStore::Reserve(vtkOpenGLRenderWindow* window,
+  const vtkOITCapabilities& capabilities, const vtkOITRectangle& rectangle, std::int64_t fragments,
+  int bytesPerNode, std::int64_t maximumPoolBytes)
+{
+  this->Attach(window);
+  this->ReserveCounters(vtkOITTileGrid(rectangle).GetNumberOfTiles());
+  this->ReserveHeads(rectangle.Width + (this->WholeFramebuffer ? rectangle.X : 0),
+    rectangle.Height + (this->WholeFramebuffer ? rectangle.Y : 0));
+  // In pages of 64 KiB, so that a slowly growing scene does not reallocate every frame.
+  const std::int64_t bytes =
+    std::min(RoundUp((fragments + 1) * bytesPerNode, 65536), maximumPoolBytes);
+  if (this->PoolBytes < bytes)
+  {
+    this->ReservePool(bytes, capabilities);
+  }
+  this->Nodes = this->PoolBytes / bytesPerNode;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITFragmentStore::ReserveCounters(int tiles)
+{
+  if (this->TileCapacity >= tiles)
+  {
+    return;
+  }
+  this->TileCapacity = tiles;
+  glDeleteTextures(1, &this->CounterTexture);
+  glDeleteBuffers(1, &this->CounterBuffer);
+  glGenBuffers(1, &this->CounterBuffer);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
+  glBufferData(GL_SHADER_STORAGE_BUFFER, GetCounterBytes(tiles), nullptr, GL_DYNAMIC_READ);
+  this->CounterTexture = MakeBufferTexture(GL_R32UI, this->CounterBuffer);
+  glDeleteTextures(1, &this->ExpectedTexture);
+  glDeleteBuffers(1, &this->ExpectedBuffer);
+  glGenBuffers(1, &this->ExpectedBuffer);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->ExpectedBuffer);
+  glBufferData(GL_SHADER_STORAGE_BUFFER, GetExpectedBytes(tiles), nullptr, GL_DYNAMIC_DRAW);
+  this->ExpectedTexture = MakeBufferTexture(GL_R32UI, this->ExpectedBuffer);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITFragmentStore::ReserveHeads(int width, int height)
+{
+  if (this->Width >= width && this->Height >= height)
+  {
+    return;
+  }
+  this->Width = std::max(this->Width, width);
+  this->Height = std::max(this->Height, height);
+  glDeleteTextures(1, &this->Heads);
+  glGenTextures(1, &this->Heads);
+  GLint bound = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+  glBindTexture(GL_TEXTURE_2D, this->Heads);
+  glTexStorage2D(GL_TEXTURE_2D, 1, GL_R32UI, this->Width, this->Height);
+  glBindTexture(GL_TEXTURE_2D, bound);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITFragmentStore::ReservePool(std::int64_t bytes, const vtkOITCapabilities& capabilities)
+{
+  glDeleteTextures(1, &this->PoolTexture);
+  glDeleteBuffers(1, &this->Pool);
+  this->PoolTexture = 0;
+  glGenBuffers(1, &this->Pool);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Pool);
+  while (glGetError() != GL_NO_ERROR)
+  {
+  }
+  // Halve what the context refuses: a smaller pool costs bands, not correctness.
+  glBufferData(GL_SHADER_STORAGE_BUFFER, bytes, nullptr, GL_DYNAMIC_COPY);
+  while (glGetError() == GL_OUT_OF_MEMORY && bytes > 65536)
+  {
+    bytes = RoundUp(bytes / 2, 65536);
+    glBufferData(GL_SHADER_STORAGE_BUFFER, bytes, nullptr, GL_DYNAMIC_COPY);
+  }
+  this->PoolBytes = bytes;
+  this->NodesInImage = bytes > capabilities.MaximumStorageBlockSize;
+  if (this->NodesInImage)
+  {
+    this->PoolTexture = MakeBufferTexture(GL_RGBA32UI, this->Pool);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOITFragmentStore::Begin(const vtkOITRectangle& rectangle)
+{
+  this->Rectangle = rectangle;
+  this->Grid = vtkOITTileGrid(rectangle);
+  const GLuint end = 0;
+  glClearTexSubImage(this->Heads, 0, this->WholeFramebuffer ? rectangle.X : 0,
+    this->WholeFramebuffer ? rectangle.Y : 0, 0, rectangle.Width, rectangle.Height, 1,
+    GL_RED_INTEGER, GL_UNSIGNED_INT, &end);
+  const std::vector<std::uint32_t> zeros(
+    CounterWords + TileWords * this->Grid.GetNumberOfTiles(), 0u);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
+  glBufferSubData(
+    GL_SHADER_STORAGE_BUFFER, 0, GetCounterBytes(this->Grid.GetNumberOfTiles()), zeros.data());
+  glBindImageTexture(0, this->Heads, 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, this->CounterBuffer);
+  if (this->NodesInImage)
+  {
+    glBindImageTexture(1, this->PoolTexture, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32UI);
+  }
+  else
+  {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, this->Pool);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITFragmentStore::BindHeadFramebuffer(vtkOpenGLState* state)
+{
+  if (this->HeadFramebuffer == 0)
+  {
+    glGenFramebuffers(1, &this->HeadFramebuffer);
+  }
+  return vtkOITBindWithSharedDepth(state, this->HeadFramebuffer, { this->Heads, -1, 0 });
+}
+
+//------------------------------------------------------------------------------
+void vtkOITFragmentStore::SetUniforms(vtkShaderProgram* program) const
+{
+  const int origin[2] = { this->WholeFramebuffer ? 0 : this->Rectangle.X,
+    this->WholeFramebuffer ? 0 : this->Rectangle.Y };
+  const int corner[2] = { this->Rectangle.X, this->Rectangle.Y };
+  const int size[2] = { this->Rectangle.Width, this->Rectangle.Height };
+  const int firstTile[2] = { this->Grid.FirstColumn, this->Grid.FirstRow };
+  program->SetUniform2i("oitOrigin", origin);
+  program->SetUniform2i("oitCorner", corner);
+  program->SetUniform2i("oitSize", size);
+  program->SetUniform2i("oitFirstTile", firstTile);
+  program->SetUniformi("oitTileColumns", this->Grid.Columns);
+  program->SetUniformi("oitCapacity", static_cast<int>(this->Nodes));
+}
+
+//------------------------------------------------------------------------------
+vtkOITFragmentStore::Counters vtkOITFragmentStore::ReadCounters() const
+{
+  const int tiles = this->Grid.GetNumberOfTiles();
+  std::vector<std::uint32_t> words(CounterWords + TileWords * tiles);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
+  glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, GetCounterBytes(tiles), words.data());
+  Counters counters;
+  counters.NodeCount = words[0];
+  counters.Overflow = words[1];
+  std::memcpy(&counters.Skipped, &words[SkippedWord], sizeof(float));
+  counters.Tiles.reserve(tiles);
+  for (std::size_t i = CounterWords; i < words.size(); i += TileWords)
+  {
+    const std::uint32_t marks = words[i] & (TryAgain | HasLists);
+    counters.Tiles.push_back(marks ? words[i + 1] : words[i]);
+    counters.Marks |= marks;
+    counters.FragmentCount += words[i + 2];
+  }
+  return counters;
+}
+
+//------------------------------------------------------------------------------
+float vtkOITFragmentStore::ReadSkipped() const
+{
+  float skipped = 0.0f;
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
+  glGetBufferSubData(
+    GL_SHADER_STORAGE_BUFFER, SkippedWord * sizeof(std::uint32_t), sizeof(float), &skipped);
+  return skipped;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITFragmentStore::SetExpected(const std::vector<std::uint32_t>& tiles)
+{
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->ExpectedBuffer);
+  glBufferSubData(
+    GL_SHADER_STORAGE_BUFFER, 0, GetExpectedBytes(static_cast<int>(tiles.size())), tiles.data());
+}
+
+//------------------------------------------------------------------------------
+void vtkOITFragmentStore::BindTiles(vtkOpenGLState* state, int textureUnit) const
+{
+  state->vtkglActiveTexture(GL_TEXTURE0 + textureUnit);
+  glBindTexture(GL_TEXTURE_BUFFER, this->CounterTexture);
+  state->vtkglActiveTexture(GL_TEXTURE0 + textureUnit + 1);
+  glBindTexture(GL_TEXTURE_BUFFER, this->ExpectedTexture);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITFragmentStore::UnbindTiles(vtkOpenGLState* state, int textureUnit) const
+{
+  for (int unit = textureUnit; unit < textureUnit + 2; ++unit)
+  {
+    state->vtkglActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_BUFFER, 0);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::int64_t vtkOITFragmentStore::GetSizeInBytes() const
+{
+  return this->PoolBytes + INT64_C(4) * this->Width * this->Height +
+    (this->CounterBuffer ? GetTileBytes(this->TileCapacity) : 0);
+}
+
+//------------------------------------------------------------------------------
+std::int64_t vtkOITFragmentStore::GetFixedBytes(const vtkOITRectangle& rectangle)
+{
+  constexpr int size = vtkOITTileGrid::TileSize;
+  const int tiles = (rectangle.Width / size + 2) * (rectangle.Height / size + 2);
+  return 4 * rectangle.GetArea() + GetTileBytes(tiles);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITFragmentStore::Delete()
+{
+  glDeleteFramebuffers(1, &this->HeadFramebuffer);
+  glDeleteTextures(1, &this->Heads);
+  glDeleteTextures(1, &this->PoolTexture);
+  glDeleteTextures(1, &this->CounterTexture);
+  glDeleteTextures(1, &this->ExpectedTexture);
+  glDeleteBuffers(1, &this->Pool);
+  glDeleteBuffers(1, &this->CounterBuffer);
+  glDeleteBuffers(1, &this->ExpectedBuffer);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITFragmentStore::Forget()
+{
+  this->HeadFramebuffer = this->Heads = this->Pool = this->PoolTexture = this->CounterBuffer =
+    this->CounterTexture = 0;
+  this->ExpectedBuffer = this->ExpectedTexture = 0;
+  this->TileCapacity = 0;
+  this->Width = this->Height = 0;
+  this->PoolBytes = this->Nodes = 0;
+  this->NodesInImage = false;
+}

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkOITFragmentStore_h
+#define vtkOITFragmentStore_h
+
+#include "Private/Frame/vtkOITCompatibility.h"
+#include "Private/Frame/vtkOITRectangle.h"
+#include "Private/GL/vtkOITContextObjects.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+class vtkOITCapabilities;
+class vtkOpenGLRenderWindow;
+class vtkOpenGLState;
+class vtkShaderProgram;
+
+/// The tiles that cover a rectangle, aligned to multiples of their size.
+struct vtkOITTileGrid
+{
+  static constexpr int TileSize = 16; // as in glsl/ABuffer/vtkOITABufferNodeFS.glsl
+
+  explicit vtkOITTileGrid(const vtkOITRectangle& r = {})
+    : FirstColumn(r.X / TileSize)
+    , FirstRow(r.Y / TileSize)
+    , Columns((r.X + r.Width + TileSize - 1) / TileSize - this->FirstColumn)
+    , Rows((r.Y + r.Height + TileSize - 1) / TileSize - this->FirstRow)
+  {
+  }
+  int GetNumberOfTiles() const { return this->Columns * this->Rows; }
+
+  int FirstColumn;
+  int FirstRow;
+  int Columns;
+  int Rows;
+};
+
+/**
+ * The memory of an A-buffer: list heads (one texel a pixel), the pool of nodes, the counters and
+ * the depth complexity of tiles. The layout is that of glsl/ABuffer/vtkOITABufferNodeFS.glsl.
+ *
+ * Heads and pool only grow; Release() frees them. 4 bytes per pixel, and the bytes of a node per
+ * fragment.
+ */
+class vtkOITFragmentStore : public vtkOITContextObjects
+{
+public:
+  ~vtkOITFragmentStore() override { this->Release(); }
+
+  struct Counters
+  {
+    /// Nodes that were asked for; those of pages are counted as a whole.
+    std::uint32_t NodeCount = 0;
+    /// Fragments of all pixels, once they are resolved without multisampling.
+    std::int64_t FragmentCount = 0;
+    std::uint32_t Overflow = 0;
+    /// Largest number of fragments of a pixel, for each tile. In tiles with a mark it is known
+    /// only after the second chance.
+    std::vector<std::uint32_t> Tiles;
+    /// The largest transmittance in front of fragments that were not composited; 0 for none.
+    float Skipped = 0.0f;
+    /// All marks of tiles: TryAgain, HasLists.
+    std::uint32_t Marks = 0;
+  };
+
+  /// Nodes of a page, as in glsl/ABuffer/vtkOITABufferNodeFS.glsl.
+  static constexpr int PageSize = 4;
+
+  /// Marks of tiles, as in glsl/ABuffer/vtkOITABufferNodeFS.glsl.
+  static constexpr std::uint32_t TryAgain = 0x20000000u;
+  static constexpr std::uint32_t HasLists = 0x40000000u;
+
+  /// Makes room for the rectangle's heads and for at least `fragments` fragments, as far as the
+  /// context has the memory and the pool stays within `maximumPoolBytes`: see GetCapacity(). What
+  /// the pool held is lost when it grows.
+  void Reserve(vtkOpenGLRenderWindow* window, const vtkOITCapabilities& capabilities,
+    const vtkOITRectangle& rectangle, std::int64_t fragments, int bytesPerNode,
+    std::int64_t maximumPoolBytes);
+
+  /// Empties the lists of the rectangle, resets the counters, and binds everything: image units
+  /// and storage buffers 0 and 1. The rectangle is the current one until the next call.
+  void Begin(const vtkOITRectangle& rectangle);
+
+  /// The framebuffer's pixel of the heads' first texel: the lower left corner of the rectangle, or
+  /// that of the framebuffer (default off), which BindHeadFramebuffer() needs. Before Reserve().
+  void SetWholeFramebuffer(bool whole) { this->WholeFramebuffer = whole; }
+
+  /// Sets the uniforms of a program that includes vtkOITABufferNodeFS.glsl.
+  void SetUniforms(vtkShaderProgram* program) const;
+
+  /// Waits for the shaders that count.
+  Counters ReadCounters() const;
+  float ReadSkipped() const;
+
+  /// Binds a framebuffer whose colour buffer are the list heads and whose depth buffer is that of
+  /// the framebuffer bound for drawing, so that Gather gets the heads by framebuffer fetch. False,
+  /// and nothing is bound, where that is not possible. After Begin().
+  bool BindHeadFramebuffer(vtkOpenGLState* state);
+
+  const vtkOITRectangle& GetRectangle() const { return this->Rectangle; }
+
+  /// The GL objects of the lists, for reading them back: the texture of heads (GL_R32UI, of the
+  /// given width and height), the framebuffer's pixel of its first texel, and the pool.
+  struct Lists
+  {
+    GLuint Heads;
+    int Width;
+    int Height;
+    int OriginX;
+    int OriginY;
+    GLuint Pool;
+  };
+  Lists GetLists() const
+  {
+    return { this->Heads, this->Width, this->Height, this->WholeFramebuffer ? 0 : this->Rectangle.X,
+      this->WholeFramebuffer ? 0 : this->Rectangle.Y, this->Pool };
+  }
+  const vtkOITTileGrid& GetTileGrid() const { return this->Grid; }
+
+  /// The depth complexity that is expected of the current rectangle's tiles.
+  void SetExpected(const std::vector<std::uint32_t>& tiles);
+
+  /// Binds counters and expected depth complexity as buffer textures of 32-bit integers, to
+  /// `textureUnit` and the next one.
+  void BindTiles(vtkOpenGLState* state, int textureUnit) const;
+  void UnbindTiles(vtkOpenGLState* state, int textureUnit) const;
+
+  /// Fragments that the pool takes.
+  std::int64_t GetCapacity() const { return std::max<std::int64_t>(0, this->Nodes - 1); }
+
+  std::int64_t GetPoolBytes() const { return this->PoolBytes; }
+
+  /// The pool is larger than a storage block may be, so shaders reach it as an image.
+  bool GetNodesInImage() const { return this->NodesInImage; }
+
+  /// Pool, heads and counters.
+  std::int64_t GetSizeInBytes() const;
+
+  /// The largest pool that the context can address, in bytes.
+  static std::int64_t GetLargestPool(const vtkOITCapabilities& capabilities);
+
+  /// Bytes that a rectangle of this size takes beside the pool, wherever it lies.
+  static std::int64_t GetFixedBytes(const vtkOITRectangle& rectangle);
+
+private:
+  void Delete() override;
+  void Forget() override;
+  void ReserveHeads(int width, int height);
+  void ReserveCounters(int tiles);
+  void ReservePool(std::int64_t bytes, const vtkOITCapabilities& capabilities);
+
+  GLuint Heads = 0;
+  GLuint HeadFramebuffer = 0;
+  GLuint Pool = 0;
+  GLuint PoolTexture = 0;
+  GLuint CounterBuffer = 0;
+  GLuint CounterTexture = 0;
+  GLuint ExpectedBuffer = 0;
+  GLuint ExpectedTexture = 0;
+  int TileCapacity = 0;
+  vtkOITRectangle Rectangle;
+  vtkOITTileGrid Grid;
+  bool WholeFramebuffer = false;
+  int Width = 0;
+  int Height = 0;
+  std::int64_t PoolBytes = 0;
+  std::int64_t Nodes = 0; // of the pool, the unused first one included
+  bool NodesInImage = false;
+};
+
+#endif

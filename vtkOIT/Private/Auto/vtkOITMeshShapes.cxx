@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Auto/vtkOITMeshShapes.h"
+
+#include "vtkActor.h"
+#include "vtkAlgorithm.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkShaderProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <initializer_list>
+#include <iterator>
+
+namespace
+{
+/// For each prop in each frame: without a string made of it.
+bool IsCalled(vtkObjectBase* object, const char* name)
+{
+  return std::strcmp(object->GetClassName(), name) == 0;
+}
+
+/// Only the triangles of its mesh are drawn, all of them, at their own depth.
+bool DrawsPlainSurface(vtkActor* actor, vtkPolyData* mesh)
+{
+  vtkProperty* property = actor->GetProperty();
+  return property->GetRepresentation() == VTK_SURFACE && !property->GetEdgeVisibility() &&
+    !property->GetVertexVisibility() && !property->GetBackfaceCulling() &&
+    !property->GetFrontfaceCulling() && mesh->GetNumberOfVerts() == 0 &&
+    mesh->GetNumberOfLines() == 0 && mesh->GetNumberOfStrips() == 0;
+}
+
+/// Nothing is said for a transformation that does not keep balls what they are.
+vtkOITMeshBalls Transform(const vtkOITMeshBalls& balls, vtkMatrix4x4* matrix)
+{
+  vtkOITMeshBalls result;
+  const double scale = std::cbrt(std::abs(matrix->Determinant()));
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      double product = 0.0; // of columns
+      for (int row = 0; row < 3; ++row)
+      {
+        product += matrix->GetElement(row, i) * matrix->GetElement(row, j);
+      }
+      if (!(std::abs(product - (i == j ? scale * scale : 0.0)) <= 1e-9 * scale * scale))
+      {
+        return result;
+      }
+    }
+    if (matrix->GetElement(3, i) != 0.0 || matrix->GetElement(3, 3) != 1.0)
+    {
+      return result;
+    }
+    result.Center[i] = matrix->GetElement(i, 3);
+    for (int j = 0; j < 3; ++j)
+    {
+      result.Center[i] += matrix->GetElement(i, j) * balls.Center[j];
+    }
+  }
+  result.Inner = scale * balls.Inner;
+  result.Outer = scale * balls.Outer;
+  return result;
+}
+
+/// The actor with a mapper of one of these classes and VTK's shaders.
+vtkActor* FindActor(vtkProp* prop, std::initializer_list<const char*> mappers)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+  if (!mapper || !IsCalled(actor, "vtkOpenGLActor"))
+  {
+    return nullptr;
+  }
+  vtkShaderProperty* shader = actor->GetShaderProperty();
+  const bool isPlain = std::any_of(mappers.begin(), mappers.end(),
+                         [mapper](const char* name) { return IsCalled(mapper, name); }) &&
+    !shader->HasVertexShaderCode() && !shader->HasFragmentShaderCode() &&
+    !shader->HasGeometryShaderCode() && shader->GetNumberOfShaderReplacements() == 0;
+  return isPlain ? actor : nullptr;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkActor* vtkOITFindPlainActor(vtkProp* prop)
+{
+  return FindActor(prop, { "vtkOpenGLPolyDataMapper", "vtkDataSetMapper" });
+}
+
+//------------------------------------------------------------------------------
+vtkActor* vtkOITFindCompositeActor(vtkProp* prop)
+{
+  return FindActor(prop, { "vtkCompositePolyDataMapper", "vtkCompositePolyDataMapper2" });
+}
+
+//------------------------------------------------------------------------------
+vtkOITMeshShape vtkOITMeshShapes::Find(vtkProp* prop, vtkOITMeshBalls& balls)
+{
+  balls = {};
+  vtkActor* actor = vtkOITFindPlainActor(prop);
+  if (!actor || actor->GetMapper()->GetNumberOfInputConnections(0) == 0)
+  {
+    return vtkOITMeshShape::Unknown;
+  }
+  actor->GetMapper()->GetInputAlgorithm()->Update();
+  auto* mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+  if (!mesh || mesh->GetNumberOfPolys() > LargestMesh || !DrawsPlainSurface(actor, mesh))
+  {
+    return vtkOITMeshShape::Unknown;
+  }
+  const double determinant = actor->GetMatrix()->Determinant();
+  if (!(std::abs(determinant) > 0.0))
+  {
+    return vtkOITMeshShape::Unknown;
+  }
+  Entry& entry = this->Entries[mesh];
+  entry.Rest = 0;
+  if (entry.Time != mesh->GetMTime())
+  {
+    entry.Time = mesh->GetMTime();
+    entry.Shape = vtkOITFindMeshShape(mesh, entry.Balls);
+  }
+  balls = Transform(entry.Balls, actor->GetMatrix());
+  if (determinant < 0.0 && entry.Shape == vtkOITMeshShape::ClosedConvex)
+  {
+    return vtkOITMeshShape::ClosedConvexInside;
+  }
+  if (determinant < 0.0 && entry.Shape == vtkOITMeshShape::ClosedConvexInside)
+  {
+    return vtkOITMeshShape::ClosedConvex;
+  }
+  return entry.Shape;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITMeshShapes::Prune()
+{
+  for (auto it = this->Entries.begin(); it != this->Entries.end();)
+  {
+    it = ++it->second.Rest > LongestRest ? this->Entries.erase(it) : std::next(it);
+  }
+}

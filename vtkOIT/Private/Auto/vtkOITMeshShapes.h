@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkOITMeshShapes_h
+#define vtkOITMeshShapes_h
+
+#include "Private/Auto/vtkOITMeshShape.h"
+
+#include "vtkType.h"
+
+#include <map>
+
+class vtkActor;
+class vtkProp;
+
+/// The shapes of the meshes of props, each proven once.
+class vtkOITMeshShapes
+{
+public:
+  /// As the camera sees the triangles of a prop: ...Inside for a transformation that mirrors.
+  /// Unknown for props that draw anything but the surface of their mesh, and for meshes of more
+  /// than LargestMesh triangles. `balls` in world coordinates: of closed props that are not
+  /// stretched or skewed.
+  vtkOITMeshShape Find(vtkProp* prop, vtkOITMeshBalls& balls);
+
+  /// Drops what no prop has asked for in the last LongestRest calls.
+  void Prune();
+
+  static constexpr vtkIdType LargestMesh = 100000;
+  static constexpr int LongestRest = 100;
+
+private:
+  struct Entry
+  {
+    vtkMTimeType Time = 0;
+    vtkOITMeshShape Shape = vtkOITMeshShape::Unknown;
+    vtkOITMeshBalls Balls;
+    int Rest = 0; // calls of Prune() since it was asked for
+  };
+  std::map<vtkPolyData*, Entry> Entries;
+};
+
+/// The actor, when a prop is one whose surface is drawn by VTK's own mapper for polygons, without
+/// changes of its shaders; otherwise nullptr.
+vtkActor* vtkOITFindPlainActor(vtkProp* prop);
+
+/// The same for VTK's own mappers for composite data.
+vtkActor* vtkOITFindCompositeActor(vtkProp* prop);
+
+#endif

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/GL/vtkOITDepthCopy.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+
+#include <algorithm>
+
+namespace
+{
+GLenum FindFormat(const vtkOITTarget& target)
+{
+  if (target.FloatDepth)
+  {
+    return target.StencilBits > 0 ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
+  }
+  if (target.StencilBits > 0)
+  {
+    return GL_DEPTH24_STENCIL8;
+  }
+  switch (target.DepthBits)
+  {
+    case 16:
+      return GL_DEPTH_COMPONENT16;
+    case 24:
+      return GL_DEPTH_COMPONENT24;
+    default:
+      return GL_DEPTH_COMPONENT32;
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkOITDepthCopy::Allocate(const vtkOITFrame& frame, const vtkOITRectangle& rectangle, int unit)
+{
+  const int width = rectangle.Width;
+  const int height = rectangle.Height;
+  const GLenum format = FindFormat(frame.Target);
+  const bool attached = this->Attach(frame.Window);
+  frame.GLState->vtkglActiveTexture(GL_TEXTURE0 + unit);
+  if (attached && this->Texture && this->Format == format &&
+    this->Samples == frame.Target.Samples && this->Width >= width && this->Height >= height)
+  {
+    glBindTexture(this->Target, this->Texture);
+    return;
+  }
+  this->Release();
+  this->Attach(frame.Window);
+  frame.GLState->vtkglActiveTexture(GL_TEXTURE0 + unit); // making the marker bound another
+  this->Format = format;
+  this->Samples = frame.Target.Samples;
+  this->Target = this->Samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+  this->Bytes = GetBytes(rectangle, frame.Target);
+  this->Width = width;
+  this->Height = height;
+  glGenTextures(1, &this->Texture);
+  this->Serial = vtkOITAttachment::MakeSerial();
+  glBindTexture(this->Target, this->Texture);
+  if (this->Samples > 0)
+  {
+    glTexStorage2DMultisample(this->Target, this->Samples, format, width, height, GL_TRUE);
+  }
+  else
+  {
+    glTexStorage2D(this->Target, 1, format, width, height);
+    glTexParameteri(this->Target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(this->Target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  }
+  glGenFramebuffers(1, &this->Framebuffer);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITDepthCopy::Copy(const vtkOITFrame& frame, const vtkOITRectangle& storage,
+  const vtkOITRectangle& rectangle, int unit)
+{
+  this->Allocate(frame, storage, unit);
+  GLint source = 0;
+  GLint read = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &source);
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
+  vtkOpenGLState* state = frame.GLState;
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, source);
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Framebuffer);
+  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER,
+    frame.Target.StencilBits > 0 ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, this->Target,
+    this->Texture, 0);
+  // The scissor test clips what a blit writes.
+  vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  const vtkOITRectangle& r = rectangle;
+  const int x = r.X - storage.X;
+  const int y = r.Y - storage.Y;
+  glBlitFramebuffer(r.X, r.Y, r.X + r.Width, r.Y + r.Height, x, y, x + r.Width, y + r.Height,
+    GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, source);
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, read);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITDepthCopy::BindTo(vtkOpenGLState* state, int unit, GLuint texture) const
+{
+  state->vtkglActiveTexture(GL_TEXTURE0 + unit);
+  glBindTexture(this->Target, texture);
+}
+
+//------------------------------------------------------------------------------
+std::int64_t vtkOITDepthCopy::GetSizeInBytes() const
+{
+  return this->Bytes;
+}
+
+//------------------------------------------------------------------------------
+std::int64_t vtkOITDepthCopy::GetBytes(const vtkOITRectangle& rectangle, const vtkOITTarget& target)
+{
+  const int bytes = FindFormat(target) == GL_DEPTH32F_STENCIL8 ? 8 : 4;
+  return rectangle.GetArea() * bytes * std::max(1, target.Samples);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITDepthCopy::Delete()
+{
+  glDeleteTextures(1, &this->Texture);
+  glDeleteFramebuffers(1, &this->Framebuffer);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITDepthCopy::Forget()
+{
+  this->Texture = 0;
+  this->Framebuffer = 0;
+  this->Bytes = 0;
+  this->Width = 0;
+  this->Height = 0;
+}

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkOITMinMaxPeeler_h
+#define vtkOITMinMaxPeeler_h
+
+#include "Private/Peeling/vtkOITPeeler.h"
+#include "vtkTimeStamp.h"
+
+/**
+ * Depth peeling with a sliding window: while the fragments at the bounds of a pixel are blended,
+ * the bounds of the next peel are found among those inside. One-sided it peels the nearest layer
+ * (Everitt 2001), two-sided the nearest and the farthest (Bavoil and Myers 2008), where shaders
+ * cannot read the framebuffer; where they can, vtkOITDualPeeler does it better.
+ *
+ * Coincident fragments are blended as a group. Where shaders can read the framebuffer, they sum up
+ * in place. Otherwise sums are added by blending, depths are kept as the maximum, one way of
+ * blending for colours, another for alpha, so no GL beyond 3.2 is needed. Floats throughout: half
+ * floats for the sums were not faster on llvmpipe, separate buffers for depths neither.
+ */
+class vtkOITMinMaxPeeler : public vtkOITPeeler
+{
+public:
+  explicit vtkOITMinMaxPeeler(bool isDual)
+    : IsDual(isDual)
+  {
+  }
+
+  int GetNumberOfSetUpPeels() const override { return 1; }
+  void Prepare(const vtkOITFrame& frame, bool hasFloatColor) override;
+  vtkOITPeelState::Layout GetLayout(const vtkOITFrame& frame) const override;
+  int GetBytesPerPixel(const vtkOITFrame& frame) const override;
+  std::int64_t GetSizeInBytes() const override { return this->Sums.GetSizeInBytes(); }
+
+  void Begin(const vtkOITPeelContext& context) override;
+  void Peel(const vtkOITPeelContext& context, int number) override;
+  void PeelRest(const vtkOITPeelContext& context) override;
+
+  bool WrapGather(std::string& fragmentShader) const override;
+  void SetUniforms(
+    vtkShaderProgram* program, vtkProp* prop, const vtkOITPeelContext& context) override;
+
+  vtkMTimeType GetShaderMTime() const override { return this->ShaderTime.GetMTime(); }
+
+  void Release() override;
+
+private:
+  void GatherInPlace(const vtkOITPeelContext& context, bool isSetUp);
+  void GatherByBlending(const vtkOITPeelContext& context, bool isSetUp);
+  int GetNumberOfSums(bool inPlace) const;
+  std::string GetDefinitions() const { return this->IsDual ? "#define OIT_DUAL\n" : ""; }
+
+  bool IsDual;
+  bool IsRest = false;
+  bool InPlace = false; // of the shaders
+  vtkTimeStamp ShaderTime;
+  vtkOITTextureArray Sums;
+  vtkOITFramebuffer GatherFramebuffer;
+  vtkOITScreenStage ResolveStage;
+};
+
+#endif

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkOITMultiLayerPeeler_h
+#define vtkOITMultiLayerPeeler_h
+
+#include "Private/Peeling/vtkOITPeeler.h"
+#include "vtkTimeStamp.h"
+
+#include <map>
+#include <utility>
+
+class vtkOITCapabilities;
+
+/**
+ * Several layers a peel, by insertion sort in the fragment shader (Liu, Wei and Xu 2006). How the
+ * shader may read and write the slots of its pixel is one of three ways.
+ */
+class vtkOITMultiLayerPeeler : public vtkOITPeeler
+{
+public:
+  enum class Access
+  {
+    Fetch,     // the slots are colour buffers that the shader reads
+    Interlock, // images, in a section that fragments of a pixel enter one by one
+    Barrier    // colour buffers that the shader reads as a texture, again and again
+  };
+
+  vtkOITMultiLayerPeeler() = default;
+
+  /// 4, 8 or 16 layers a peel.
+  void SetNumberOfLayers(int layers) { this->NumberOfLayers = layers; }
+  void SetAccess(Access access) { this->WantedAccess = access; }
+
+  void Prepare(const vtkOITFrame& frame, bool hasFloatColor) override;
+  vtkOITPeelState::Layout GetLayout(const vtkOITFrame& frame) const override;
+  int GetBytesPerPixel(const vtkOITFrame& frame) const override;
+  std::int64_t GetSizeInBytes() const override { return this->Slots.GetSizeInBytes(); }
+  bool CanCullProps() const override { return this->UsedAccess != Access::Barrier; }
+
+  void Begin(const vtkOITPeelContext& context) override;
+  void Peel(const vtkOITPeelContext& context, int number) override;
+  void PeelRest(const vtkOITPeelContext& context) override;
+
+  bool WrapGather(std::string& fragmentShader) const override;
+  void SetUniforms(
+    vtkShaderProgram* program, vtkProp* prop, const vtkOITPeelContext& context) override;
+  vtkMTimeType GetShaderMTime() const override { return this->ShaderTime.GetMTime(); }
+
+  void Release() override;
+
+private:
+  /// Two layers share a buffer.
+  bool HasPairs() const { return this->NumberOfLayers > 8; }
+  int GetNumberOfSlots() const;
+  std::string GetDefinitions() const;
+  void RenderGeometry(const vtkOITPeelContext& context);
+  void GatherUnordered(const vtkOITPeelContext& context);
+
+  int NumberOfLayers = 8;
+  Access WantedAccess = Access::Fetch;
+  int ShaderLayers = 0; // of the shaders
+  Access UsedAccess = Access::Fetch;
+  bool InPlace = false;
+  vtkTimeStamp ShaderTime;
+  bool IsRest = false;
+
+  vtkOITTextureArray Slots;
+  vtkOITFramebuffer GatherFramebuffer;
+  vtkOITScreenStage ResolveStage;
+  vtkOITOcclusionQueries Changes;
+
+  // The number of a draw, the same in each peel of a frame: by prop and how often it was drawn.
+  std::map<std::pair<vtkProp*, int>, int> DrawNumbers;
+  std::map<vtkProp*, int> Draws; // in this geometry pass
+};
+
+#endif

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkOITPeelState_h
+#define vtkOITPeelState_h
+
+#include "Private/GL/vtkOITDepthCopy.h"
+#include "Private/GL/vtkOITFramebuffer.h"
+#include "Private/GL/vtkOITOutput.h"
+#include "Private/GL/vtkOITPixelStatistics.h"
+#include "Private/GL/vtkOITScreenStage.h"
+#include "Private/GL/vtkOITTextureArray.h"
+#include "Private/Peeling/vtkOITPeelRegion.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+class vtkOITFrame;
+class vtkShaderProgram;
+
+/**
+ * What all peeling methods share in a frame: the state of each pixel from peel to peel
+ * (vtkOITPeelStateFS.glsl says which layers), the depth buffer that masks what is peeled, and
+ * the stages on pixels: Resolve of the method, Mask, Composite, Reduce.
+ *
+ * Pixels are addressed as in the framebuffer, so that geometry passes rasterize to the last bit
+ * what the opaque pass did. Only in bands (limited memory) the picture is shifted.
+ */
+class vtkOITPeelState
+{
+public:
+  /// Which fragments the Mask lets the hardware reject, besides those of finished pixels.
+  enum class MaskSide
+  {
+    Front, // nearer than the bounds: the depth test is GL_GEQUAL
+    Back   // farther than the bounds: GL_LEQUAL
+  };
+
+  struct Layout
+  {
+    int Layers = 3;       // of the state, see vtkOITPeelStateFS.glsl
+    bool HasBack = false; // layer 3 is what was peeled from the back
+    // The first Gather reads the statistics alone, the first Resolve no layer but them: only they
+    // are cleared.
+    bool StartsInResolve = false;
+  };
+
+  /// The texture units used, from 0; mappers count theirs up from 0 and GL has at least 16.
+  static constexpr int StateUnit = 13;
+  static constexpr int GatheredUnit = 14;
+  static constexpr int OpaqueUnit = 15;
+
+  /// Whether shaders of this frame read and write the state in place, as colour buffers.
+  static bool CanWorkInPlace(const vtkOITFrame& frame);
+
+  /// Bytes per pixel of the state and of the depth buffers.
+  static int GetBytesPerPixel(const vtkOITFrame& frame, const Layout& layout);
+
+  /// Starts the pixels of `band`: nothing peeled, everything inside the bounds. Viewport and
+  /// scissor are set for drawing into layers. `storage` has the band and the pixel that becomes
+  /// texel (0, 0).
+  void Begin(const vtkOITFrame& frame, const vtkOITRectangle& band, const vtkOITRectangle& storage,
+    const Layout& layout, double transmittanceThreshold, bool countsPixels);
+
+  /// Binds textures of the method for a geometry pass, under the depth test against opaque geometry
+  /// until there is a Mask, then under that. `clear` clears them, where they will be read.
+  bool BindForGather(vtkOITFramebuffer& framebuffer, const std::vector<vtkOITAttachment>& colors,
+    const std::function<void()>& clear);
+
+  /// Draws all pixels that are not finished with the method's Resolve stage.
+  void Resolve(vtkOITScreenStage& stage, const std::function<std::string()>& getFragmentShader,
+    const std::function<void(vtkShaderProgram*)>& setUniforms);
+  /// What Resolve stages put in place of //VTK::System::Dec and //VTK::OIT::State.
+  std::string AssembleResolve(const char* stage, const std::string& definitions) const;
+
+  /// Draws the Mask of the region after this peel; counts the pixels that are not finished.
+  void Mask(std::size_t peel);
+
+  /// Where pixels are left to peel. Gather and Mask are limited to it, Resolve is in place.
+  vtkOITPeelRegion& GetRegion() { return this->Region; }
+
+  /// After Gather of the first peel, which has noted what it had no room for as lost: whether
+  /// there is nothing of that. Waits for it.
+  bool IsFirstPeelComplete();
+
+  /// Draws into the framebuffer of the frame. Viewport and scissor as the frame has them. By a
+  /// stage of the method, when it has what is peeled in another form.
+  ///@{
+  void Composite();
+  void Composite(vtkOITOutputStage& stage, const std::function<std::string()>& getFragmentShader,
+    const std::function<void(vtkShaderProgram*)>& setUniforms);
+  ///@}
+  vtkOITPixelStatistics::Result Reduce();
+
+  /// Binds the state to StateUnit and sets the uniform oitState.
+  void BindFor(vtkShaderProgram* program) const;
+
+  /// For Gather stages that test against opaque geometry themselves once there is a Mask, because
+  /// they do not know the farthest fragment in front of it: sets the uniforms oitTestsDepth, which
+  /// is 0 as long as the hardware does it, oitOpaqueDepth and oitDepthBits.
+  void SetDepthTest(vtkShaderProgram* program) const;
+
+  int GetWidth() const { return this->Storage.Width; }
+  int GetHeight() const { return this->Storage.Height; }
+  /// The texture array that Resolve has written last.
+  const vtkOITTextureArray& GetArray() const { return this->Arrays[this->Current]; }
+
+  std::int64_t GetSizeInBytes() const;
+  void Release();
+
+private:
+  void SetScissorOfResolve() const;
+
+  const vtkOITFrame* Frame = nullptr;
+  vtkOITRectangle Band;
+  vtkOITRectangle Storage;
+  Layout TheLayout;
+  vtkOITPeelRegion Region;
+  double TransmittanceThreshold = 0.0;
+  bool InPlace = false;
+  bool TestsDepth = true;          // as the frame has it
+  GLint DepthFunction = GL_LEQUAL; // as the frame has it
+  bool HasMask = false;
+  MaskSide Side = MaskSide::Front; // of the Mask
+
+  std::array<vtkOITTextureArray, 2> Arrays; // the second one is not used in place
+  int Current = 0;
+  vtkOITTextureArray MaskDepth;
+  vtkOITPixelStatistics Statistics;
+  vtkOITPixelStatistics::Result Reduced;
+  bool IsReduced = false; // and has not changed since
+  vtkOITDepthCopy OpaqueDepth;
+  std::array<vtkOITFramebuffer, 2> StateFramebuffers;
+  vtkOITFramebuffer MaskFramebuffer;
+  std::array<vtkOITScreenStage, 2> MaskStages; // one for each side
+  vtkOITOutputStage CompositeStage;
+};
+
+#endif
