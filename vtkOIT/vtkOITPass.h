@@ -6,21 +6,21 @@
  *
  * A vtkOITPass draws the translucent props of a renderer. It goes where VTK's own translucent
  * passes go: into vtkRenderStepsPass::SetTranslucentPass(), into a vtkSequencePass given to
- * vtkRenderer::SetPass(), or into an existing renderer through vtkOITRendererHook. A default
- * delegate (vtkTranslucentPass) is set by the constructor, so a pass works as it is created.
+ * vtkRenderer::SetPass(), or into an existing renderer through vtkOITRendererHook. The constructor
+ * sets a delegate that draws the props (vtkTranslucentPass), so a new pass is ready to use.
  *
  * One frame, for every subclass:
  *
- * 1. Find the translucent props and the screen rectangle that their bounds can touch. Nothing
- *    translucent, or nothing on screen: return at once; zero passes, nothing allocated.
- * 2. Ask the context whether it can run this method, with this framebuffer; if not, say in one
- *    line what is missing and let the best exact method that can take over: the A-buffer, else
- *    dual depth peeling. GetAlgorithmName() tells which. Where none can, the delegate blends the
- *    props unsorted.
+ * 1. Find the translucent props and the screen rectangle that their bounds can touch. With nothing
+ *    translucent, or nothing on screen, return at once: no geometry pass, no memory.
+ * 2. Ask whether the context and the framebuffer can do this method. If not, report in one line
+ *    what is missing, and let the best exact method draw that can: the A-buffer, else dual depth
+ *    peeling. GetAlgorithmName() tells which one did. Where neither can, the delegate blends the
+ *    props unsorted, and GetExact() is false.
  * 3. RenderTranslucent() of the subclass: geometry passes that write only to the pass's own
- *    storage, then one resolve that composites over what the framebuffer holds,
+ *    storage, then a resolve that composites over what the framebuffer holds,
  *    `C = C_layers + T C_dst`, `A = (1-T) + T A_dst`, inside the rectangle only.
- * 4. All GL state is left as it was found.
+ * 4. All OpenGL state is left as it was found.
  *
  * Opaque geometry must be in the bound framebuffer, with its depth, before Render() is called.
  *
