@@ -62,9 +62,8 @@
 #include "vtkOITModule.h" // for the export macro
 #include "vtkOITPass.h"
 
-#include <memory> // for the private parts
-
 class vtkFloatArray;
+class vtkOITABufferEngine;
 
 class VTKOIT_EXPORT vtkOITABufferPass : public vtkOITPass
 {
@@ -72,7 +71,6 @@ public:
   static vtkOITABufferPass* New();
   vtkTypeMacro(vtkOITABufferPass, vtkOITPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /// Leave out fragments behind those of opacity 1 of translucent props, as scalars and textures
   /// give them: they are invisible. Before Gather, the depth of the props that can have such
@@ -84,16 +82,6 @@ public:
   vtkSetMacro(SkipHiddenFragments, bool);
   vtkGetMacro(SkipHiddenFragments, bool);
   vtkBooleanMacro(SkipHiddenFragments, bool);
-  ///@}
-
-  /// Lists of more than 32 fragments are composited up to the first behind which the transmittance
-  /// is at most this. Often the nearest 24 are enough for it, and the list need not be sorted. In
-  /// [0, 1], default 0: only what is behind an opacity of 1, so the result is exact. 1/512 is half
-  /// a step of 8 bits. Coincident fragments make shorter lists count, too. GetErrorBound() is the
-  /// largest transmittance in front of what was skipped.
-  ///@{
-  vtkSetClampMacro(TransmittanceThreshold, double, 0.0, 1.0);
-  vtkGetMacro(TransmittanceThreshold, double);
   ///@}
 
   /// Whether the last frame left out hidden fragments: GetNumberOfFragments(),
@@ -113,36 +101,19 @@ public:
   /// works. Not for every frame.
   bool GetFragments(vtkFloatArray* fragments);
 
-  /// Called by mappers: the change of their shaders, and its uniforms.
-  ///@{
-  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
-    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
-  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
-    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
-  vtkMTimeType GetShaderStageMTime() override;
-  ///@}
-
 protected:
   vtkOITABufferPass();
   ~vtkOITABufferPass() override;
 
-  void RenderTranslucent(vtkOITFrame& frame) override;
-  const char* GetOwnAlgorithmName() override { return "A-buffer"; }
-  std::string FindMissingCapability(const vtkOITCapabilities& capabilities) override;
+  vtkOITSettings MakeSettings(const vtkOITCapabilities& capabilities) const override;
 
   bool SkipHiddenFragments = true;
-  double TransmittanceThreshold = 0.0;
 
 private:
   vtkOITABufferPass(const vtkOITABufferPass&) = delete;
   void operator=(const vtkOITABufferPass&) = delete;
 
-  bool DrawSolidDepth(vtkOITFrame& frame);
-  vtkTypeInt64 RenderBand(vtkOITFrame& frame);
-  void AddStatistics(vtkTypeInt64 fragments, vtkTypeInt64 depthComplexity, double skipped);
-
-  class Internals;
-  std::unique_ptr<Internals> Impl;
+  vtkOITABufferEngine* Engine;
 };
 
 #endif

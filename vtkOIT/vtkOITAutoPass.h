@@ -24,7 +24,7 @@
  * 4. All other props are sorted by the A-buffer, in bands when its fragments do not fit into
  *    memory. Where the A-buffer cannot run, dual depth peeling draws them.
  *
- * GetAlgorithmName() names the method that drew the frame, GetChoice() says why, and
+ * GetAlgorithmName() names the method that drew the frame, GetAlgorithmReason() says why, and
  * GetSkipSummary() says what was skipped.
  *
  * Geometry passes: 0 when a frame is reused; 1 for blending, 2 or more with closed props; 1 for the
@@ -47,8 +47,6 @@
 #include "vtkOITPass.h"
 
 #include <memory> // for the private parts
-
-class vtkOITBlendPlan;
 
 class VTKOIT_EXPORT vtkOITAutoPass : public vtkOITPass
 {
@@ -89,57 +87,35 @@ public:
   vtkBooleanMacro(ReuseFrames, bool);
   ///@}
 
-  /// As vtkOITPeelingPass::SetTransmittanceThreshold(), for frames that are peeled and for long
-  /// lists of the A-buffer (vtkOITABufferPass::SetTransmittanceThreshold()): layers behind a
-  /// transmittance of at most this are skipped, [0, 1], default 1/512, 0 for none.
-  ///@{
-  vtkSetClampMacro(TransmittanceThreshold, double, 0.0, 1.0);
-  vtkGetMacro(TransmittanceThreshold, double);
-  ///@}
-
   /// What the last frame did without, and why; one line, empty for nothing.
   std::string GetSkipSummary() const;
 
   /// Why the last frame was drawn by the method of GetAlgorithmName(); one line.
+  std::string GetAlgorithmReason() const;
+
+  /// Deprecated: GetAlgorithmReason(). Warns once, goes after the next release.
   std::string GetChoice() const;
 
   /// The limit in bytes that holds: MaximumBufferSize, or when that is 0 (default) a quarter of the
   /// memory of the context of the last frame, at most 1 GiB.
   vtkTypeInt64 GetBufferLimit() const;
 
-  /// Called by mappers: the change of their shaders while props are blended.
-  ///@{
-  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
-    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
-  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
-    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
-  vtkMTimeType GetShaderStageMTime() override;
-  ///@}
-
 protected:
   vtkOITAutoPass();
   ~vtkOITAutoPass() override;
 
-  void RenderTranslucent(vtkOITFrame& frame) override;
-  const char* GetOwnAlgorithmName() override { return "automatic choice"; }
-  std::string FindMissingCapability(const vtkOITCapabilities& capabilities) override;
-  std::string FindMissingInTarget(const vtkOITFrame& frame) override;
+  std::string GetOwnAlgorithmName() const override { return "automatic choice"; }
+  vtkOITSettings MakeSettings(const vtkOITCapabilities& capabilities) const override;
+  vtkOITPlan MakePlan(const vtkOITFrame& frame, const vtkOITSettings& settings) override;
 
   bool SkipInvisibleProps = true;
   bool SkipSorting = true;
   bool SkipHiddenFragments = true;
   bool ReuseFrames = true;
-  double TransmittanceThreshold = 1.0 / 512.0;
 
 private:
   vtkOITAutoPass(const vtkOITAutoPass&) = delete;
   void operator=(const vtkOITAutoPass&) = delete;
-
-  void DropInvisibleProps(vtkOITFrame& frame);
-  bool ReuseFrame(vtkOITFrame& frame);
-  void DrawProps(vtkOITFrame& frame, bool keepsLayer);
-  void BlendProps(vtkOITFrame& frame, const vtkOITBlendPlan& plan);
-  void SortProps(vtkOITFrame& frame);
 
   class Internals;
   std::unique_ptr<Internals> Impl;

@@ -67,7 +67,7 @@ public:
 
   /// UNIFORM (default), PAIRS or ADAPTIVE.
   ///@{
-  vtkSetClampMacro(Mode, int, UNIFORM, ADAPTIVE);
+  virtual void SetMode(int mode);
   vtkGetMacro(Mode, int);
   ///@}
 
@@ -79,7 +79,7 @@ public:
 
   /// The depths that the first peel divides: BOUNDS (default) or EXACT.
   ///@{
-  vtkSetClampMacro(DepthRange, int, BOUNDS, EXACT);
+  virtual void SetDepthRange(int range);
   vtkGetMacro(DepthRange, int);
   ///@}
 
@@ -87,8 +87,7 @@ protected:
   vtkOITBucketPeelingPass();
   ~vtkOITBucketPeelingPass() override;
 
-  const char* GetOwnAlgorithmName() override { return "bucket depth peeling"; }
-  void RenderTranslucent(vtkOITFrame& frame) override;
+  vtkOITSettings MakeSettings(const vtkOITCapabilities& capabilities) const override;
 
   int Mode = UNIFORM;
   int DepthRange = BOUNDS;

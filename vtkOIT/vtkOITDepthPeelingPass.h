@@ -48,8 +48,6 @@ protected:
   vtkOITDepthPeelingPass();
   ~vtkOITDepthPeelingPass() override;
 
-  const char* GetOwnAlgorithmName() override { return "depth peeling"; }
-
 private:
   vtkOITDepthPeelingPass(const vtkOITDepthPeelingPass&) = delete;
   void operator=(const vtkOITDepthPeelingPass&) = delete;

@@ -54,8 +54,6 @@
 #include "vtkOITModule.h" // for the export macro
 #include "vtkOITPeelingPass.h"
 
-class vtkOITDualPeeler;
-
 class VTKOIT_EXPORT vtkOITDualDepthPeelingPass : public vtkOITPeelingPass
 {
 public:
@@ -67,17 +65,7 @@ protected:
   vtkOITDualDepthPeelingPass();
   ~vtkOITDualDepthPeelingPass() override;
 
-  void RenderTranslucent(vtkOITFrame& frame) override;
-  const char* GetOwnAlgorithmName() override { return "dual depth peeling"; }
-
 private:
-  void ChooseLayersPerSide();
-
-  // The peeler, when it is one that keeps layers because shaders can read the framebuffer.
-  vtkOITDualPeeler* LayerPeeler = nullptr;
-  int LayersPerSide = 3;   // then, of a peel
-  int FramesWithFewer = 0; // in a row
-
   vtkOITDualDepthPeelingPass(const vtkOITDualDepthPeelingPass&) = delete;
   void operator=(const vtkOITDualDepthPeelingPass&) = delete;
 };

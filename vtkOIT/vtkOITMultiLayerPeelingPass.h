@@ -68,10 +68,13 @@ public:
     TEXTURE_BARRIER = 3    ///< not at all: repeated until nothing changes; not with 16 layers
   };
 
+  /// Only HALF: FLOAT is refused, because layers keep half floats.
+  void SetFragmentPrecision(int precision) override;
+
   /// AUTOMATIC (default), FRAMEBUFFER_FETCH, INTERLOCK or TEXTURE_BARRIER. What the context lacks
   /// is reported, see vtkOITPass::GetMissingCapability().
   ///@{
-  vtkSetClampMacro(Synchronization, int, AUTOMATIC, TEXTURE_BARRIER);
+  virtual void SetSynchronization(int synchronization);
   vtkGetMacro(Synchronization, int);
   ///@}
 
@@ -79,9 +82,7 @@ protected:
   vtkOITMultiLayerPeelingPass();
   ~vtkOITMultiLayerPeelingPass() override;
 
-  const char* GetOwnAlgorithmName() override { return "multi-layer depth peeling"; }
-  void RenderTranslucent(vtkOITFrame& frame) override;
-  std::string FindMissingCapability(const vtkOITCapabilities& capabilities) override;
+  vtkOITSettings MakeSettings(const vtkOITCapabilities& capabilities) const override;
 
   int NumberOfLayersPerPass = 8;
   int Synchronization = AUTOMATIC;

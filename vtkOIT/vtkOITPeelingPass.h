@@ -39,10 +39,7 @@
 #include "vtkOITModule.h" // for the export macro
 #include "vtkOITPass.h"
 
-#include <memory> // for the private parts
-
-class vtkOITPeeler;
-struct vtkOITRectangle;
+#include <memory> // for the engine
 
 class VTKOIT_EXPORT vtkOITPeelingPass : public vtkOITPass
 {
@@ -59,61 +56,24 @@ public:
   vtkBooleanMacro(UseOcclusionQuery, bool);
   ///@}
 
-  /// Layers behind a transmittance of at most this are skipped: no peel is spent on what changes
-  /// a colour by less. In [0, 1], default 1/512, half a step of 8 bits; 0 skips nothing, so the
-  /// result is exact. GetErrorBound() is the largest transmittance in front of what was skipped.
-  ///@{
-  vtkSetClampMacro(TransmittanceThreshold, double, 0.0, 1.0);
-  vtkGetMacro(TransmittanceThreshold, double);
-  ///@}
-
   /// Peels of the last frame, of its bands together; those that only prepare and the one that
   /// blends the rest included.
-  vtkGetMacro(NumberOfPeels, int);
+  int GetNumberOfPeels() const;
 
   /// Fragments of the last frame that were dropped because the method could not tell them apart.
-  vtkGetMacro(NumberOfLostFragments, vtkTypeInt64);
-
-  void ReleaseGraphicsResources(vtkWindow* window) override;
-
-  /// Called by mappers: the change of their shaders, and its uniforms.
-  ///@{
-  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
-    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
-  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
-    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
-  vtkMTimeType GetShaderStageMTime() override;
-  ///@}
+  vtkTypeInt64 GetNumberOfLostFragments() const;
 
 protected:
-  explicit vtkOITPeelingPass(std::unique_ptr<vtkOITPeeler> peeler);
+  explicit vtkOITPeelingPass(std::unique_ptr<vtkOITEngine> engine);
   ~vtkOITPeelingPass() override;
 
-  void RenderTranslucent(vtkOITFrame& frame) override;
-  std::string FindMissingCapability(const vtkOITCapabilities& capabilities) override;
-  std::string FindMissingInTarget(const vtkOITFrame& frame) override;
-
-  vtkOITPeeler& GetPeeler() const;
-  /// Between frames: another peeler in place of the one so far.
-  void SetPeeler(std::unique_ptr<vtkOITPeeler> peeler);
-  /// The next frame may need another number of peels than the last one.
-  void ForgetNumberOfPeels();
+  vtkOITSettings MakeSettings(const vtkOITCapabilities& capabilities) const override;
 
   bool UseOcclusionQuery = true;
-  double TransmittanceThreshold = 1.0 / 512;
-  int NumberOfPeels = 0;
-  vtkTypeInt64 NumberOfLostFragments = 0;
 
 private:
   vtkOITPeelingPass(const vtkOITPeelingPass&) = delete;
   void operator=(const vtkOITPeelingPass&) = delete;
-
-  void RenderBand(vtkOITFrame& frame, const vtkOITRectangle& band, std::size_t number);
-  void PeelBand(vtkOITFrame& frame, std::size_t number);
-  void RenderRemainingGeometry(vtkOITFrame& frame);
-
-  class Internals;
-  std::unique_ptr<Internals> Impl;
 };
 
 #endif

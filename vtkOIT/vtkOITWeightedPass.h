@@ -41,10 +41,6 @@
 #include "vtkOITModule.h" // for the export macro
 #include "vtkOITPass.h"
 
-#include <memory> // for the private parts
-
-struct vtkOITRectangle;
-
 class VTKOIT_EXPORT vtkOITWeightedPass : public vtkOITPass
 {
 public:
@@ -61,40 +57,21 @@ public:
 
   /// AVERAGE (default), SUM or BLENDED.
   ///@{
-  vtkSetClampMacro(Mode, int, AVERAGE, BLENDED);
+  virtual void SetMode(int mode);
   vtkGetMacro(Mode, int);
-  ///@}
-
-  void ReleaseGraphicsResources(vtkWindow* window) override;
-
-  /// Called by mappers: the change of their shaders, and its uniforms.
-  ///@{
-  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
-    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
-  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
-    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
-  vtkMTimeType GetShaderStageMTime() override;
   ///@}
 
 protected:
   vtkOITWeightedPass();
   ~vtkOITWeightedPass() override;
 
-  void RenderTranslucent(vtkOITFrame& frame) override;
-  const char* GetOwnAlgorithmName() override;
-  std::string FindMissingCapability(const vtkOITCapabilities& capabilities) override;
-  std::string FindMissingInTarget(const vtkOITFrame& frame) override;
+  vtkOITSettings MakeSettings(const vtkOITCapabilities& capabilities) const override;
 
   int Mode = AVERAGE;
 
 private:
   vtkOITWeightedPass(const vtkOITWeightedPass&) = delete;
   void operator=(const vtkOITWeightedPass&) = delete;
-
-  void RenderBand(vtkOITFrame& frame, const vtkOITRectangle& band);
-
-  class Internals;
-  std::unique_ptr<Internals> Impl;
 };
 
 #endif

@@ -60,7 +60,7 @@ bool IsKnownTexture(vtkTexture* texture)
 //------------------------------------------------------------------------------
 vtkOITFrameSignature::vtkOITFrameSignature(const vtkOITFrame& frame, vtkMTimeType settings)
 {
-  vtkRenderer* renderer = frame.GetState()->GetRenderer();
+  vtkRenderer* renderer = frame.Renderer;
   this->Known = !frame.Window->GetStereoRender() && !renderer->GetUseShadows() &&
     !renderer->GetUseImageBasedLighting() && frame.Target.Samples == 0;
   this->Add(settings);
@@ -83,7 +83,7 @@ void vtkOITFrameSignature::AddDoubles(const double* values, int count)
 //------------------------------------------------------------------------------
 void vtkOITFrameSignature::AddView(const vtkOITFrame& frame)
 {
-  vtkRenderer* renderer = frame.GetState()->GetRenderer();
+  vtkRenderer* renderer = frame.Renderer;
   vtkCamera* camera = renderer->GetActiveCamera();
   this->Add(frame.Window);
   this->Add(renderer);
@@ -101,7 +101,7 @@ void vtkOITFrameSignature::AddView(const vtkOITFrame& frame)
     }
   }
   this->Add(frame.Target.Framebuffer);
-  this->Add(frame.Target.DrawBuffer);
+  this->Add(frame.Target.DrawBuffers[0]);
   this->Add(frame.Target.DepthBits);
   this->Add(frame.Window->GetPointSmoothing());
   this->Add(frame.Window->GetLineSmoothing());
@@ -111,7 +111,7 @@ void vtkOITFrameSignature::AddView(const vtkOITFrame& frame)
 //------------------------------------------------------------------------------
 void vtkOITFrameSignature::AddLights(const vtkOITFrame& frame)
 {
-  vtkRenderer* renderer = frame.GetState()->GetRenderer();
+  vtkRenderer* renderer = frame.Renderer;
   this->Add(renderer->GetTwoSidedLighting());
   this->AddDoubles(renderer->GetAmbient(), 3);
   vtkLightCollection* lights = renderer->GetLights();
@@ -154,7 +154,7 @@ void vtkOITFrameSignature::AddProps(const vtkOITFrame& frame)
   this->AddDoubles(others, 3);
   this->Add(vtkMapper::GetResolveCoincidentTopology());
   this->Add(vtkMapper::GetResolveCoincidentTopologyPolygonOffsetFaces());
-  for (vtkProp* prop : frame.GetProps())
+  for (vtkProp* prop : frame.Props)
   {
     vtkActor* plain = vtkOITFindPlainActor(prop);
     vtkActor* actor = plain ? plain : vtkOITFindCompositeActor(prop);
