@@ -4,13 +4,16 @@
 // One pixel of a tile has more fragments than all others, at each place that it can have in a tile:
 // it must be noticed, and drawn, in every frame that starts from what the last one had.
 
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+
+#include <glm/vec2.hpp>
 
 #include <algorithm>
 
@@ -21,7 +24,7 @@ namespace
 constexpr int TileSize = 16; // of the pass, in either direction
 
 /// A quad over one pixel in each tile of the window: in tile (i, j) over its pixel (i, j).
-void AddLonePixels(TestRig& rig, const Layer& layer)
+void AddLonePixels(Rig& rig, const Layer& layer)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -47,9 +50,9 @@ void AddLonePixels(TestRig& rig, const Layer& layer)
 int TestABufferLonePixels(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
-      TestRig rig(setup, TileSize * TileSize, TileSize * TileSize);
+      Rig rig(setup, TileSize * TileSize, TileSize * TileSize);
       const std::vector<Layer> layers = Random(5).Layers(12);
       const std::vector<Layer> common(layers.begin(), layers.begin() + 2);
       rig.AddStack(common);

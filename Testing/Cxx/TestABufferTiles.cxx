@@ -5,7 +5,8 @@
 // single pixel that needs more than the first try, because its fragments coincide, is not
 // forgotten, wherever in the tile it is: on the diagonal too.
 
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
 
 #include "vtkActor.h"
 
@@ -20,9 +21,9 @@ constexpr int Size = 3 * TileSize;
 int TestABufferTiles(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
-      TestRig rig(setup, Size, Size);
+      Rig rig(setup, Size, Size);
       // Two coincident fragments in one pixel that moves, and a layer over everything behind it:
       // the rectangle that is rendered and the size of the networks stay the same.
       const std::vector<Layer> layers{ { 0.5f, { 0.9f, 0.2f, 0.1f, 0.5f } },

@@ -4,9 +4,9 @@
 // 200 renders with resizes, other ways of use and other passes leave the OpenGL objects and the
 // memory of the process where they were.
 
-#include "TestGL.h"
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Rig/GLObjects.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include "vtkActor.h"
 #include "vtkNew.h"
@@ -41,7 +41,7 @@ double GetResidentMemory()
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-void AddScene(TestRig& rig)
+void AddScene(Rig& rig)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(30);
@@ -55,7 +55,7 @@ void AddScene(TestRig& rig)
 }
 
 /// One round of what an application may do; ends as it began.
-void RenderRound(TestRig& rig, Setup setup, int round)
+void RenderRound(Rig& rig, Setup setup, int round)
 {
   const std::pair<int, int> sizes[] = { { 256, 256 }, { 100, 180 }, { 300, 40 }, { 256, 256 } };
   for (const auto& size : sizes)
@@ -87,7 +87,7 @@ void RenderRound(TestRig& rig, Setup setup, int round)
 
 /// Uninstalling frees what the pass holds on the context, though the pass lives on. VTK keeps the
 /// programs.
-void CheckRelease(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckRelease(Report& report, Rig& rig, const Setup& setup)
 {
   const auto pass = setup.CreatePass();
   GLObjectCounts counts[2];
@@ -115,7 +115,7 @@ int TestResources(int argc, char* argv[])
 {
   bool done = false; // a round goes through all storages and uses itself
   return RunTest(argc, argv, Setups::Storages,
-    [&done](TestReport& report, const Setup& setup)
+    [&done](Report& report, const Setup& setup)
     {
       if (done)
       {
@@ -126,7 +126,7 @@ int TestResources(int argc, char* argv[])
       // a smaller window, and fewer rounds, have as many draws.
       const bool hasBuckets = setup.Method.rfind("bucket", 0) == 0;
       const int size = hasBuckets ? 96 : 256;
-      TestRig rig(setup, size, size);
+      Rig rig(setup, size, size);
       AddScene(rig);
       // The first rounds fill VTK's shader cache and Mesa's caches of compiled code, and make the
       // timers of VTK's mappers, which start after 100 draws.
