@@ -219,12 +219,11 @@ RayCaster::Pixel RayCaster::Cast(int x, int y) const
 //------------------------------------------------------------------------------
 glm::dvec4 RayCaster::Blend(const Pixel& pixel, const glm::dvec4& background)
 {
-  glm::dvec4 result = background;
-  for (std::size_t i = pixel.Hits.size(); i-- > 0;)
+  std::vector<Layer> layers;
+  for (const Hit& hit : pixel.Hits)
   {
-    const glm::dvec4& color = pixel.Hits[i].Color;
-    result = color.a * glm::dvec4(glm::dvec3(color), 1.0) + (1.0 - color.a) * result;
+    layers.push_back({ static_cast<float>(hit.Depth), glm::vec4(hit.Color) });
   }
-  return result;
+  return ReferenceCompositor::Composite(layers, background);
 }
 }

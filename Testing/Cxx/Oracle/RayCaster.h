@@ -66,7 +66,7 @@ public:
   /// What the ray through the centre of a pixel meets.
   Pixel Cast(int x, int y) const;
 
-  /// The recurrence C = a c + (1 - a) C from far to near, over the background.
+  /// What the hits give over the background.
   static glm::dvec4 Blend(const Pixel& pixel, const glm::dvec4& background);
 
 private:
