@@ -9,6 +9,7 @@
 #include "vtkCellArray.h"
 #include "vtkCommand.h"
 #include "vtkNew.h"
+#include "vtkOITRendererHook.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -16,17 +17,49 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRenderPass.h"
 #include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
 #include "vtkTextureObject.h"
 #include "vtkUnsignedCharArray.h"
 
 namespace vtkOITTest
 {
+namespace
+{
+bool KeepsWindow = false;
+vtkSmartPointer<vtkRenderWindow> KeptWindow;
+
+/// The window of an earlier rig, or a new one.
+vtkSmartPointer<vtkRenderWindow> TakeWindow()
+{
+  vtkSmartPointer<vtkRenderWindow> window = KeptWindow;
+  KeptWindow = nullptr;
+  return window ? window : vtkSmartPointer<vtkRenderWindow>::New();
+}
+
+/// Whether no test has changed what the constructor of a rig leaves as it is.
+bool IsAsNew(vtkRenderWindow* window)
+{
+  const int* scale = window->GetTileScale();
+  return window->GetRenderers()->GetNumberOfItems() == 1 && window->GetNumberOfLayers() == 1 &&
+    window->GetMultiSamples() == 0 && window->GetStencilCapable() == 0 && scale[0] == 1 &&
+    scale[1] == 1 && !window->GetNeverRendered();
+}
+}
+
+//------------------------------------------------------------------------------
+void Rig::KeepWindow(bool keep)
+{
+  KeepsWindow = keep;
+  KeptWindow = nullptr;
+}
+
 //------------------------------------------------------------------------------
 Rig::Rig(const Setup& setup, int width, int height)
   : Pass(setup.CreatePass())
   , Renderer(vtkSmartPointer<vtkRenderer>::New())
-  , Window(vtkSmartPointer<vtkRenderWindow>::New())
+  , Window(TakeWindow())
   , TheSetup(setup)
   , Width(width)
   , Height(height)
@@ -60,6 +93,17 @@ Rig::~Rig()
   {
     this->Window->MakeCurrent();
     this->Target->ReleaseGraphicsResources(this->Window);
+  }
+  if (KeepsWindow && IsAsNew(this->Window))
+  {
+    vtkOITRendererHook::Uninstall(this->Renderer);
+    if (vtkRenderPass* pass = this->Renderer->GetPass())
+    {
+      pass->ReleaseGraphicsResources(this->Window);
+      this->Renderer->SetPass(nullptr);
+    }
+    this->Window->RemoveRenderer(this->Renderer);
+    KeptWindow = this->Window;
   }
 }
 

@@ -62,6 +62,10 @@ public:
   Rig(const Rig&) = delete;
   void operator=(const Rig&) = delete;
 
+  /// From now on the next rig takes the window of the one before, when that is as a new one, and
+  /// with it the compiled shaders; or no longer. Drops the window that is kept.
+  static void KeepWindow(bool keep);
+
   vtkSmartPointer<vtkOITPass> Pass;
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkRenderWindow> Window;

@@ -3,6 +3,7 @@
 #include "Rig/Setup.h"
 
 #include "Rig/Contenders.h"
+#include "Rig/Rig.h"
 
 #include "vtkCameraPass.h"
 #include "vtkLightsPass.h"
@@ -232,6 +233,7 @@ int RunTest(
       uses = { Use::Installed, Use::RenderSteps, Use::CameraChain };
     }
     vtksys::SystemTools::PutEnv(std::string("VTKOIT_HIDE_EXTENSIONS=") + tier.Hidden);
+    Rig::KeepWindow(true); // a new one in each tier
     setup.Tier = tier.Name;
     setup.HasStorage = std::string(tier.Hidden).find("storage") == std::string::npos;
     setup.HasFetch = isFull;
@@ -247,6 +249,7 @@ int RunTest(
       }
     }
   }
+  Rig::KeepWindow(false);
   return report.GetExitStatus();
 }
 }
