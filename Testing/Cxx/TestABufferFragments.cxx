@@ -3,7 +3,7 @@
 
 // Reading back captured fragments: all of them, where and as they were drawn.
 
-#include "TestRig.h"
+#include "Rig/Rig.h"
 
 #include "vtkOITABufferPass.h"
 #include "vtkOITPassFactory.h"
@@ -43,7 +43,7 @@ std::vector<Tuple> GetTuples(vtkFloatArray* array)
 }
 
 /// The refusal comes with an error of this text, and leaves nothing in the array.
-void CheckRefused(TestReport& report, vtkOITABufferPass* pass, const std::string& text)
+void CheckRefused(Report& report, vtkOITABufferPass* pass, const std::string& text)
 {
   vtkNew<vtkTest::ErrorObserver> observer;
   pass->AddObserver(vtkCommand::ErrorEvent, observer);
@@ -57,7 +57,7 @@ void CheckRefused(TestReport& report, vtkOITABufferPass* pass, const std::string
 }
 
 /// Three layers, the second over a part only, the third hidden in another part.
-void CheckLayers(TestReport& report, TestRig& rig, vtkOITABufferPass* pass, double tolerance)
+void CheckLayers(Report& report, Rig& rig, vtkOITABufferPass* pass, double tolerance)
 {
   const std::array<Layer, 3> layers = { { { 0.25f, { 0.9f, 0.3f, 0.1f, 0.3f } },
     { 0.5f, { 0.2f, 0.7f, 0.6f, 1.0f / 3.0f } }, { 0.75f, { 0.0f, 1.0f, 6e-6f, 0.99f } } } };
@@ -108,9 +108,9 @@ void CheckLayers(TestReport& report, TestRig& rig, vtkOITABufferPass* pass, doub
 int TestABufferFragments(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
-      TestRig rig(setup, Width, Height);
+      Rig rig(setup, Width, Height);
       auto* pass = vtkOITABufferPass::SafeDownCast(rig.Pass);
       CheckRefused(report, pass, "captured no fragments");
       // A half float has 11 bits.

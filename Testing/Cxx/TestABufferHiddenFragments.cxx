@@ -5,8 +5,9 @@
 // The picture has the same bits with and without, also with coincident fragments and opaque
 // geometry in between, and it is not tried where no prop can have such fragments.
 
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
@@ -76,7 +77,7 @@ vtkSmartPointer<vtkTexture> MakeTexture(const Halves& halves)
 }
 
 /// Two quads side by side over the viewport, with texture coordinates.
-vtkSmartPointer<vtkPolyData> MakeHalves(const TestRig& rig, float depth)
+vtkSmartPointer<vtkPolyData> MakeHalves(const Rig& rig, float depth)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -101,7 +102,7 @@ vtkSmartPointer<vtkPolyData> MakeHalves(const TestRig& rig, float depth)
   return polydata;
 }
 
-void AddPiece(TestRig& rig, const Piece& piece, float opacity)
+void AddPiece(Rig& rig, const Piece& piece, float opacity)
 {
   if (piece.Kind == Piece::Plain)
   {
@@ -171,7 +172,7 @@ std::vector<Piece> MakeScene()
   return pieces;
 }
 
-void Build(TestRig& rig, const std::vector<Piece>& pieces, float opacity = 1.0f)
+void Build(Rig& rig, const std::vector<Piece>& pieces, float opacity = 1.0f)
 {
   rig.RemoveProps();
   rig.AddQuad({ OpaqueDepth, { 0.3f, 0.9f, 0.6f, 1.0f } }, OpaqueRectangle);
@@ -211,7 +212,7 @@ vtkTypeInt64 CountFragments(const std::vector<Piece>& pieces, bool withHidden)
   return count;
 }
 
-bool HasSkipped(TestReport& report, TestRig& rig, const std::string& what, vtkTypeInt64 fragments)
+bool HasSkipped(Report& report, Rig& rig, const std::string& what, vtkTypeInt64 fragments)
 {
   auto* pass = vtkOITABufferPass::SafeDownCast(rig.Pass);
   const bool hasSkipped = pass->GetSkippedHiddenFragments();
@@ -223,9 +224,9 @@ bool HasSkipped(TestReport& report, TestRig& rig, const std::string& what, vtkTy
   return hasSkipped;
 }
 
-void CheckPicture(TestReport& report, const Setup& setup, int depthFormat)
+void CheckPicture(Report& report, const Setup& setup, int depthFormat)
 {
-  TestRig rig(setup, Width, Height);
+  Rig rig(setup, Width, Height);
   rig.SetTargetFormat(VTK_FLOAT, depthFormat);
   auto* pass = vtkOITABufferPass::SafeDownCast(rig.Pass);
   std::vector<Piece> pieces = MakeScene();
@@ -268,9 +269,9 @@ void CheckPicture(TestReport& report, const Setup& setup, int depthFormat)
 }
 
 /// Never where it cannot save anything, and once where it turns out to save too little.
-void CheckTrials(TestReport& report, const Setup& setup)
+void CheckTrials(Report& report, const Setup& setup)
 {
-  TestRig rig(setup, Width, Height);
+  Rig rig(setup, Width, Height);
   const std::vector<Piece> pieces = MakeScene();
   Build(rig, pieces, 0.9f);
   rig.Render(); // twice, until the storage is large enough
@@ -307,7 +308,7 @@ void CheckTrials(TestReport& report, const Setup& setup)
 int TestABufferHiddenFragments(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       CheckPicture(report, setup, vtkTextureObject::Float32);
       CheckPicture(report, setup, vtkTextureObject::Fixed24);

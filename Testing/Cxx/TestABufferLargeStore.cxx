@@ -6,7 +6,7 @@
 //
 //     vtkOITCxxTests TestABufferLargeStore abuffer 2304 2304 30     2.5 GB with half floats
 
-#include "DeepStack.h"
+#include "Scenes/DeepStack.h"
 
 #include <cstdlib>
 
@@ -15,11 +15,11 @@ using namespace vtkOITTest;
 int TestABufferLargeStore(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [&](TestReport& report, const Setup& setup)
+    [&](Report& report, const Setup& setup)
     {
       // VTK gives tests options, too, but they start with a dash.
       const bool isGiven = argc > 4 && std::atoi(argv[4]) > 0;
-      TestRig rig(setup, isGiven ? std::atoi(argv[2]) : 200, isGiven ? std::atoi(argv[3]) : 150);
+      Rig rig(setup, isGiven ? std::atoi(argv[2]) : 200, isGiven ? std::atoi(argv[3]) : 150);
       const int layers = isGiven                 ? std::atoi(argv[4])
         : setup.FragmentStorage == Storage::Half ? 300
                                                  : 150;

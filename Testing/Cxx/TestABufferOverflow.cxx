@@ -5,18 +5,18 @@
 // first frame too: the store grows, or the viewport is rendered in bands within
 // MaximumBufferSize.
 
-#include "DeepStack.h"
+#include "Scenes/DeepStack.h"
 
 using namespace vtkOITTest;
 
 int TestABufferOverflow(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       report.SetStressTest(29);
       {
-        TestRig rig(setup, 96, 64);
+        Rig rig(setup, 96, 64);
         CheckDeepStack(report, rig, setup, "300 layers", 300);
         report.Check(rig.Pass->GetNumberOfGeometryPasses() == 1,
           "later frames do not start with the right size: " +
@@ -26,7 +26,7 @@ int TestABufferOverflow(int argc, char* argv[])
       {
         // 1.8 million fragments of at least 12 bytes do not fit into 1 MiB.
         const vtkTypeInt64 limit = 1 << 20;
-        TestRig rig(setup, 96, 64);
+        Rig rig(setup, 96, 64);
         rig.Pass->SetMaximumBufferSize(limit);
         CheckDeepStack(report, rig, setup, "300 layers in 1 MiB", 300);
         report.Check(rig.Pass->GetBufferSizeInBytes() <= limit,

@@ -5,8 +5,9 @@
 // is one run. The picture has the same bits for orders of every kind: both directions, parts that
 // go on with the part before them or do not, coincident fragments within a run and between two.
 
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include <algorithm>
 
@@ -28,7 +29,7 @@ std::vector<Layer> MakeLayers(int count, bool inPairs)
   return layers;
 }
 
-Image RenderInOrder(TestRig& rig, const std::vector<Layer>& layers, const std::vector<int>& order)
+Image RenderInOrder(Rig& rig, const std::vector<Layer>& layers, const std::vector<int>& order)
 {
   rig.RemoveProps();
   for (const int i : order)
@@ -38,7 +39,7 @@ Image RenderInOrder(TestRig& rig, const std::vector<Layer>& layers, const std::v
   return rig.Render();
 }
 
-void CheckOrders(TestReport& report, TestRig& rig, const Setup& setup, int count, bool inPairs)
+void CheckOrders(Report& report, Rig& rig, const Setup& setup, int count, bool inPairs)
 {
   const std::vector<Layer> layers = MakeLayers(count, inPairs);
   std::vector<int> sorted(count);
@@ -74,7 +75,7 @@ void CheckOrders(TestReport& report, TestRig& rig, const Setup& setup, int count
 }
 
 /// Sorted in two draws.
-void CheckDeepList(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckDeepList(Report& report, Rig& rig, const Setup& setup)
 {
   constexpr int count = 3600;
   std::vector<Layer> layers = MakeLayers(count, false);
@@ -90,9 +91,9 @@ void CheckDeepList(TestReport& report, TestRig& rig, const Setup& setup)
 int TestABufferRuns(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
-      TestRig rig(setup, 8, 6);
+      Rig rig(setup, 8, 6);
       CheckOrders(report, rig, setup, 70, false);
       CheckOrders(report, rig, setup, 70, true);
       if (setup.FragmentStorage == Storage::Half && setup.Tier == "all extensions")

@@ -3,8 +3,8 @@
 
 // What the pass reports about a frame, for frames whose numbers are known.
 
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include "vtkOITABufferPass.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -14,7 +14,7 @@ using namespace vtkOITTest;
 
 namespace
 {
-void CheckStatistics(TestReport& report, TestRig& rig, const std::string& what, int passes,
+void CheckStatistics(Report& report, Rig& rig, const std::string& what, int passes,
   vtkTypeInt64 fragments, int complexity)
 {
   report.Check(rig.Pass->GetNumberOfGeometryPasses() == passes,
@@ -34,9 +34,9 @@ void CheckStatistics(TestReport& report, TestRig& rig, const std::string& what, 
 int TestABufferStatistics(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
-      TestRig rig(setup, 32, 16);
+      Rig rig(setup, 32, 16);
       report.Check(std::string(rig.Pass->GetAlgorithmName()) == "A-buffer", "another algorithm");
       rig.AddQuad({ 0.9f, { 0.5f, 0.5f, 0.5f, 1.0f } });
       rig.Render();

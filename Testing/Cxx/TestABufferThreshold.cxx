@@ -5,8 +5,9 @@
 // behind which the transmittance is at most that, whatever the order of drawing and whether all of
 // the list was sorted for it or only its nearest fragments. What is skipped is reported.
 
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include "vtkOITABufferPass.h"
 
@@ -49,7 +50,7 @@ std::vector<Layer> CutOff(const std::vector<Layer>& layers, double threshold, do
 }
 
 /// As often as `frames`. With `hasTieBehind` the two farthest layers coincide.
-void CheckThreshold(TestReport& report, TestRig& rig, const Setup& setup, int count, float opacity,
+void CheckThreshold(Report& report, Rig& rig, const Setup& setup, int count, float opacity,
   int together, int frames, bool hasTieBehind = false)
 {
   auto* pass = vtkOITABufferPass::SafeDownCast(rig.Pass);
@@ -101,9 +102,9 @@ void CheckThreshold(TestReport& report, TestRig& rig, const Setup& setup, int co
 int TestABufferThreshold(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
-      TestRig rig(setup, 8, 6);
+      Rig rig(setup, 8, 6);
       report.Check(
         vtkOITABufferPass::SafeDownCast(rig.Pass)->GetTransmittanceThreshold() == 0.0, "default");
       // The nearest 23 are enough, all are, all are not.

@@ -3,7 +3,7 @@
 
 // Frames of composite data are reused, too, and a change of a block's look, data or place is seen.
 
-#include "TestRig.h"
+#include "Rig/Rig.h"
 
 #include "Private/Frame/vtkOITCompatibility.h"
 
@@ -54,7 +54,7 @@ vtkSmartPointer<vtkPolyData> MakeBall(double x)
 /// A ball, and a block of two balls: flat indices 1, and 2 with 3 and 4.
 struct BlockScene
 {
-  explicit BlockScene(TestRig& rig)
+  explicit BlockScene(Rig& rig)
     : Pass(vtkOITAutoPass::SafeDownCast(rig.Pass))
   {
     vtkNew<vtkMultiBlockDataSet> pair;
@@ -161,9 +161,9 @@ double FindLargestDifference(const Image& a, const Image& b)
 int TestAutoPassBlocks(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
-      TestRig rig(setup, Width, Height);
+      Rig rig(setup, Width, Height);
       BlockScene scene(rig);
       const auto isReused = [&scene]
       { return scene.Pass->GetSkipSummary().find("whole frame reused") != std::string::npos; };

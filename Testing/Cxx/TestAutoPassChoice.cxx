@@ -4,8 +4,9 @@
 // Which method the automatic pass takes, for which reason, and that it stays with it and within its
 // memory.
 
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -26,18 +27,18 @@ namespace
 {
 constexpr vtkTypeInt64 MiB = INT64_C(1) << 20;
 
-vtkOITAutoPass* GetPass(TestRig& rig)
+vtkOITAutoPass* GetPass(Rig& rig)
 {
   return vtkOITAutoPass::SafeDownCast(rig.Pass);
 }
 
 void CheckEqual(
-  TestReport& report, const std::string& what, const std::string& is, const std::string& expected)
+  Report& report, const std::string& what, const std::string& is, const std::string& expected)
 {
   report.Check(is == expected, what + " is \"" + is + "\", expected \"" + expected + "\"");
 }
 
-void CheckLimit(TestReport& report, TestRig& rig, const std::string& what)
+void CheckLimit(Report& report, Rig& rig, const std::string& what)
 {
   const vtkTypeInt64 bytes = rig.Pass->GetBufferSizeInBytes();
   report.Check(bytes > 0 && bytes <= GetPass(rig)->GetBufferLimit(),
@@ -52,7 +53,7 @@ struct Ramps
   std::vector<Layer> Left;
   std::vector<Layer> Right;
 
-  Ramps(TestRig& rig, int count)
+  Ramps(Rig& rig, int count)
   {
     Random random(8);
     for (int i = 0; i < count; ++i)
@@ -69,7 +70,7 @@ struct Ramps
     }
   }
 
-  TestReport::Expected GetExpected(const TestRig& rig) const
+  Report::Expected GetExpected(const Rig& rig) const
   {
     const glm::dvec4 left = ReferenceCompositor::Composite(this->Left, rig.GetBackground());
     const glm::dvec4 right = ReferenceCompositor::Composite(this->Right, rig.GetBackground());
@@ -83,9 +84,9 @@ Tolerance GetBound(const Setup& setup, int layers)
   return ReferenceCompositor::RoundingBoundOfAnyStack(layers, setup.FragmentStorage);
 }
 
-void CheckNames(TestReport& report, const Setup& setup)
+void CheckNames(Report& report, const Setup& setup)
 {
-  TestRig rig(setup, 32, 24);
+  Rig rig(setup, 32, 24);
   const Ramps ramps(rig, 6);
   for (int frame = 0; frame < 4; ++frame) // the first one makes default lookup tables
   {
@@ -123,9 +124,9 @@ void CheckNames(TestReport& report, const Setup& setup)
   report.Check(rig.Pass->GetNumberOfFragments() == -1, "blended fragments are counted");
 }
 
-void CheckLimits(TestReport& report, const Setup& setup)
+void CheckLimits(Report& report, const Setup& setup)
 {
-  TestRig rig(setup, 32, 24);
+  Rig rig(setup, 32, 24);
   report.Check(GetPass(rig)->GetBufferLimit() == 1024 * MiB, "the limit before the first frame");
   rig.AddQuad({ 0.5f, { 0.5f, 0.6f, 0.7f, 0.5f } });
   rig.Render();
@@ -136,9 +137,9 @@ void CheckLimits(TestReport& report, const Setup& setup)
 }
 
 /// More fragments than fit into the memory, of still and of moving frames.
-void CheckSmallMemory(TestReport& report, const Setup& setup, int width, int height, int layers)
+void CheckSmallMemory(Report& report, const Setup& setup, int width, int height, int layers)
 {
-  TestRig rig(setup, width, height);
+  Rig rig(setup, width, height);
   const std::string what = std::to_string(width) + "x" + std::to_string(height) + ", " +
     std::to_string(layers) + " layers";
   GetPass(rig)->SetMaximumBufferSize(MiB);
@@ -180,9 +181,9 @@ void CheckSmallMemory(TestReport& report, const Setup& setup, int width, int hei
 }
 
 /// The heads of all pixels would take the whole limit, but those of a band do not.
-void CheckManyPixels(TestReport& report, const Setup& setup)
+void CheckManyPixels(Report& report, const Setup& setup)
 {
-  TestRig rig(setup, 520, 520);
+  Rig rig(setup, 520, 520);
   GetPass(rig)->SetMaximumBufferSize(MiB);
   GetPass(rig)->ReuseFramesOff();
   const Ramps ramps(rig, 3);
@@ -194,13 +195,13 @@ void CheckManyPixels(TestReport& report, const Setup& setup)
 }
 
 /// A limit that is set when there are large buffers already.
-void CheckLoweredLimit(TestReport& report, const Setup& setup)
+void CheckLoweredLimit(Report& report, const Setup& setup)
 {
   if (!setup.HasStorage)
   {
     return;
   }
-  TestRig rig(setup, 160, 120);
+  Rig rig(setup, 160, 120);
   const Ramps ramps(rig, 12);
   for (int frame = 0; frame < 3; ++frame)
   {
@@ -224,7 +225,7 @@ void CheckLoweredLimit(TestReport& report, const Setup& setup)
   {
     rig.AddQuad(layer);
   }
-  const TestReport::Expected expected =
+  const Report::Expected expected =
     Everywhere(ReferenceCompositor::Composite(layers, rig.GetBackground()));
   for (const vtkTypeInt64 limit : { 0 * MiB, 1 * MiB, 2 * MiB })
   {
@@ -239,13 +240,13 @@ void CheckLoweredLimit(TestReport& report, const Setup& setup)
 }
 
 /// Without storage for fragments in the middle of a life, and with it again.
-void CheckFallbacks(TestReport& report, const Setup& setup)
+void CheckFallbacks(Report& report, const Setup& setup)
 {
   for (const char* hidden : { "GL_ARB_shader_storage_buffer_object",
          "GL_ARB_shader_image_load_store GL_EXT_shader_framebuffer_fetch", "GL_ARB_gpu_shader5" })
   {
     vtksys::SystemTools::PutEnv(std::string("VTKOIT_HIDE_EXTENSIONS=") + hidden);
-    TestRig rig(setup, 32, 24);
+    Rig rig(setup, 32, 24);
     GetPass(rig)->ReuseFramesOff();
     const Ramps ramps(rig, 5);
     std::set<std::string> names;
@@ -269,7 +270,7 @@ void CheckFallbacks(TestReport& report, const Setup& setup)
 int TestAutoPassChoice(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       CheckNames(report, setup);
       CheckLimits(report, setup);

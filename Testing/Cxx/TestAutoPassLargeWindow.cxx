@@ -3,7 +3,8 @@
 
 // 4096 x 4096 pixels within 256 MiB, sorted and blended.
 
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
 
 #include "vtkOITAutoPass.h"
 
@@ -14,8 +15,8 @@ namespace
 constexpr int Size = 4096;
 constexpr vtkTypeInt64 Limit = INT64_C(256) << 20;
 
-void CheckFrame(TestReport& report, TestRig& rig, const std::string& what,
-  const TestReport::Expected& expected, const std::string& name, const Tolerance& bound)
+void CheckFrame(Report& report, Rig& rig, const std::string& what, const Report::Expected& expected,
+  const std::string& name, const Tolerance& bound)
 {
   report.Compare(what, rig.RenderWindow(), expected, bound);
   report.Check(rig.Pass->GetAlgorithmName() == name,
@@ -30,14 +31,14 @@ int TestAutoPassLargeWindow(int argc, char* argv[])
 {
   bool isDone = false; // once is enough: no setup changes the memory that is needed by much
   return RunTest(argc, argv, Setups::Storages,
-    [&isDone](TestReport& report, const Setup& setup)
+    [&isDone](Report& report, const Setup& setup)
     {
       if (isDone)
       {
         return;
       }
       isDone = true;
-      TestRig rig(setup, Size, Size);
+      Rig rig(setup, Size, Size);
       rig.Pass->SetMaximumBufferSize(Limit);
       std::vector<Layer> layers;
       for (int i = 0; i < 4; ++i)
@@ -47,8 +48,8 @@ int TestAutoPassLargeWindow(int argc, char* argv[])
       }
       const Tolerance bound =
         ReferenceCompositor::RoundingBoundOfAnyStack(8, setup.FragmentStorage) +
-        TestRig::WindowTolerance();
-      const TestReport::Expected planes =
+        Rig::WindowTolerance();
+      const Report::Expected planes =
         Everywhere(ReferenceCompositor::Composite(layers, rig.GetBackground()));
       // A layer of float32 takes all of the memory: no frame can be kept.
       for (int frame = 0; frame < 3; ++frame)

@@ -4,8 +4,9 @@
 // 64 layers that cross each other in a 64th of the memory that their fragments take. With
 // --large in 4096 x 4096 pixels and 256 MiB; that takes minutes, so it is not what ctest runs.
 
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include "vtkOITAutoPass.h"
 
@@ -19,11 +20,11 @@ namespace
 constexpr int Layers = 64;
 constexpr int FewestBands = 64; // 16 bytes a fragment
 
-void CheckFrames(TestReport& report, const Setup& setup, int size)
+void CheckFrames(Report& report, const Setup& setup, int size)
 {
   // 16 bytes a pixel: those of a single layer.
   const vtkTypeInt64 limit = vtkTypeInt64(size) * size * 16;
-  TestRig rig(setup, size, size);
+  Rig rig(setup, size, size);
   rig.Pass->SetMaximumBufferSize(limit);
   std::vector<Layer> left;
   std::vector<Layer> right;
@@ -44,7 +45,7 @@ void CheckFrames(TestReport& report, const Setup& setup, int size)
   const glm::dvec4 expectedRight = ReferenceCompositor::Composite(right, rig.GetBackground());
   const Tolerance bound =
     ReferenceCompositor::RoundingBoundOfAnyStack(Layers, setup.FragmentStorage) +
-    TestRig::WindowTolerance();
+    Rig::WindowTolerance();
   for (int frame = 0; frame < 2; ++frame)
   {
     const std::string what = std::to_string(size) + " pixels, frame " + std::to_string(frame);
@@ -74,7 +75,7 @@ int TestAutoPassManyBands(int argc, char* argv[])
   const bool isLarge = argc > 2 && std::strcmp(argv[argc - 1], "--large") == 0;
   bool isDone = false; // once is enough: no setup changes the memory that is needed by much
   return RunTest(isLarge ? argc - 1 : argc, argv, Setups::Storages,
-    [&isDone, isLarge](TestReport& report, const Setup& setup)
+    [&isDone, isLarge](Report& report, const Setup& setup)
     {
       if (!isDone)
       {

@@ -4,9 +4,9 @@
 // Frames in which nothing has changed are reused, and only those: after each kind of change the
 // picture is the one that is drawn without reuse.
 
-#include "ReuseChanges.h"
-#include "ReuseScene.h"
-#include "TestRig.h"
+#include "Rig/Rig.h"
+#include "Scenes/ReuseChanges.h"
+#include "Scenes/ReuseScene.h"
 
 #include "vtkActor.h"
 #include "vtkAutoInit.h"
@@ -55,11 +55,11 @@ double FindLargestDifference(const Image& a, const Image& b)
 }
 
 /// Renders until a frame is reused; it has the same bits as the one before.
-Image RenderStill(TestReport& report, ReuseScene& scene, const std::string& what)
+Image RenderStill(Report& report, ReuseScene& scene, const std::string& what)
 {
-  scene.Rig.Render();
-  const Image second = scene.Rig.Render();
-  Image third = scene.Rig.Render();
+  scene.TheRig.Render();
+  const Image second = scene.TheRig.Render();
+  Image third = scene.TheRig.Render();
   report.Check(IsReused(scene.Pass) && scene.Pass->GetNumberOfGeometryPasses() == 0,
     what + ": the third still frame is not reused");
   report.CompareBits(what + ", third still frame", third, second);
@@ -69,17 +69,17 @@ Image RenderStill(TestReport& report, ReuseScene& scene, const std::string& what
 Image RenderFresh(ReuseScene& scene)
 {
   scene.Pass->ReuseFramesOff();
-  Image image = scene.Rig.Render();
+  Image image = scene.TheRig.Render();
   scene.Pass->ReuseFramesOn();
   return image;
 }
 
-void CheckChange(TestReport& report, ReuseScene& scene, const Change& change)
+void CheckChange(Report& report, ReuseScene& scene, const Change& change)
 {
   const Image before =
-    change.Is == Change::NotReady ? scene.Rig.Render() : RenderStill(report, scene, change.Name);
+    change.Is == Change::NotReady ? scene.TheRig.Render() : RenderStill(report, scene, change.Name);
   change.Do(scene);
-  const Image after = scene.Rig.Render();
+  const Image after = scene.TheRig.Render();
   const bool isReused = IsReused(scene.Pass);
   report.Check(isReused == (change.Is == Change::Shown),
     change.Name + (isReused ? ": is not seen" : ": the frame is not reused"));
@@ -88,9 +88,9 @@ void CheckChange(TestReport& report, ReuseScene& scene, const Change& change)
   report.Compare(change.Name, after, RenderFresh(scene), LastBits);
 }
 
-void CheckPass(TestReport& report, const Setup& setup)
+void CheckPass(Report& report, const Setup& setup)
 {
-  TestRig rig(setup, Width, Height);
+  Rig rig(setup, Width, Height);
   ReuseScene scene(rig);
   rig.Render();
   for (const auto& change : GetPassChanges())
@@ -130,9 +130,9 @@ struct UniformSetter
   }
 };
 
-void CheckUniforms(TestReport& report, const Setup& setup)
+void CheckUniforms(Report& report, const Setup& setup)
 {
-  TestRig rig(setup, Width, Height);
+  Rig rig(setup, Width, Height);
   ReuseScene scene(rig);
   UniformSetter setter;
   scene.Ball->GetShaderProperty()->AddFragmentShaderReplacement(
@@ -152,9 +152,9 @@ void CheckUniforms(TestReport& report, const Setup& setup)
 }
 
 /// The layer belongs to one renderer of one window.
-void CheckRenderers(TestReport& report, const Setup& setup)
+void CheckRenderers(Report& report, const Setup& setup)
 {
-  TestRig rig(setup, Width, Height);
+  Rig rig(setup, Width, Height);
   ReuseScene scene(rig);
   rig.Render();
   RenderStill(report, scene, "one renderer");
@@ -188,7 +188,7 @@ void CheckRenderers(TestReport& report, const Setup& setup)
   // Another window, with the camera and the props of the first.
   setup.Detach(rig.Renderer);
   {
-    TestRig other(setup, Width, Height);
+    Rig other(setup, Width, Height);
     setup.Attach(other.Renderer, rig.Pass);
     other.Renderer->SetActiveCamera(rig.Renderer->GetActiveCamera());
     for (vtkActor* actor : { scene.TableActor.Get(), scene.Poster.Get() })
@@ -214,9 +214,9 @@ void CheckRenderers(TestReport& report, const Setup& setup)
   RenderStill(report, scene, "back in the first window");
 }
 
-void CheckNewContext(TestReport& report, const Setup& setup)
+void CheckNewContext(Report& report, const Setup& setup)
 {
-  TestRig rig(setup, Width, Height);
+  Rig rig(setup, Width, Height);
   ReuseScene scene(rig);
   rig.RenderWindow();
   rig.RenderWindow();
@@ -233,10 +233,10 @@ void CheckNewContext(TestReport& report, const Setup& setup)
 int TestAutoPassReuse(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       const bool isFirst = setup.FragmentStorage == Storage::Half && setup.Tier == "all extensions";
-      TestRig rig(setup, Width, Height);
+      Rig rig(setup, Width, Height);
       ReuseScene scene(rig);
       rig.Render(); // makes default lookup tables, which is a change
       for (const auto& changes :

@@ -5,9 +5,10 @@
 // window of 8 bits is rounded once, however many layers it has, and nothing is left over from other
 // frames, windows of other sizes, or pictures that were reused.
 
-#include "SkipScenes.h"
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
+#include "Scenes/SkipScenes.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -53,9 +54,9 @@ std::vector<Quad> MakeQuads(Random& random, int width, int height)
   return quads;
 }
 
-void CheckMovingQuads(TestReport& report, const Setup& setup, int frames)
+void CheckMovingQuads(Report& report, const Setup& setup, int frames)
 {
-  TestRig rig(setup, Width, Height);
+  Rig rig(setup, Width, Height);
   Random random(7);
   for (int frame = 0; frame < frames; ++frame)
   {
@@ -100,10 +101,10 @@ void CheckMovingQuads(TestReport& report, const Setup& setup, int frames)
 }
 
 /// A part of the window is drawn to again after as many frames as are told apart by numbers.
-void CheckRepeatedNumber(TestReport& report, const Setup& setup)
+void CheckRepeatedNumber(Report& report, const Setup& setup)
 {
   constexpr int period = 255;
-  TestRig rig(setup, Width, Height);
+  Rig rig(setup, Width, Height);
   Random random(9);
   for (int frame = 0; frame < period + 11; ++frame)
   {
@@ -124,9 +125,9 @@ void CheckRepeatedNumber(TestReport& report, const Setup& setup)
 }
 
 /// Closed props, against the same in float32.
-void CheckMovingSpheres(TestReport& report, const Setup& setup, int frames)
+void CheckMovingSpheres(Report& report, const Setup& setup, int frames)
 {
-  TestRig rig(setup, 2 * Width, 2 * Height);
+  Rig rig(setup, 2 * Width, 2 * Height);
   vtkActor* red = AddSphere(rig, Red, {}, 0.5);
   vtkActor* blue = AddSphere(rig, Blue, {}, 0.3);
   Random random(8);
@@ -148,7 +149,7 @@ void CheckMovingSpheres(TestReport& report, const Setup& setup, int frames)
 int TestAutoPassRounding(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       const bool isFirst = setup.FragmentStorage == Storage::Half && setup.HasFetch;
       CheckMovingQuads(report, setup, isFirst ? AllFrames : FewFrames);

@@ -4,9 +4,10 @@
 // What the automatic pass leaves out or blends, scene by scene: each must be skipped as far as its
 // order is known and no further, and skipping must not change the picture.
 
-#include "SkipScenes.h"
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
+#include "Scenes/SkipScenes.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -28,12 +29,12 @@ namespace
 constexpr int Width = 64;
 constexpr int Height = 48;
 
-vtkOITAutoPass* GetPass(TestRig& rig)
+vtkOITAutoPass* GetPass(Rig& rig)
 {
   return vtkOITAutoPass::SafeDownCast(rig.Pass);
 }
 
-void CheckCounts(TestReport& report, const Setup& setup, TestRig& rig, const Scene& scene)
+void CheckCounts(Report& report, const Setup& setup, Rig& rig, const SkipScene& scene)
 {
   vtkOITAutoPass* pass = GetPass(rig);
   const std::string summary = pass->GetSkipSummary();
@@ -68,9 +69,9 @@ void CheckCounts(TestReport& report, const Setup& setup, TestRig& rig, const Sce
   }
 }
 
-void CheckScene(TestReport& report, const Setup& setup, const Scene& scene)
+void CheckScene(Report& report, const Setup& setup, const SkipScene& scene)
 {
-  TestRig rig(setup, Width, Height);
+  Rig rig(setup, Width, Height);
   vtkOITAutoPass* pass = GetPass(rig);
   pass->ReuseFramesOff();
   scene.Build(rig);
@@ -103,10 +104,10 @@ void CheckScene(TestReport& report, const Setup& setup, const Scene& scene)
 }
 
 /// A camera that moves the scene is the same as props that are moved.
-void CheckModelTransform(TestReport& report, const Setup& setup)
+void CheckModelTransform(Report& report, const Setup& setup)
 {
-  TestRig moved(setup, Width, Height);
-  TestRig rig(setup, Width, Height);
+  Rig moved(setup, Width, Height);
+  Rig rig(setup, Width, Height);
   vtkNew<vtkMatrix4x4> matrix;
   matrix->SetElement(0, 3, -1.5);
   matrix->SetElement(2, 2, -1.0); // to and fro change places
@@ -127,9 +128,9 @@ void CheckModelTransform(TestReport& report, const Setup& setup)
 }
 
 /// The A-buffer leaves out what solid texels hide, from the second frame on, unless it is off.
-void CheckHiddenFragments(TestReport& report, const Setup& setup)
+void CheckHiddenFragments(Report& report, const Setup& setup)
 {
-  TestRig rig(setup, 200, 150);
+  Rig rig(setup, 200, 150);
   vtkOITAutoPass* pass = GetPass(rig);
   pass->ReuseFramesOff();
   pass->SkipSortingOff();
@@ -151,9 +152,9 @@ void CheckHiddenFragments(TestReport& report, const Setup& setup)
 
 /// Drawn twice, 40 props of a few pixels each cost more than an A-buffer of them, but less than
 /// peeling them.
-void CheckManySmall(TestReport& report, const Setup& setup)
+void CheckManySmall(Report& report, const Setup& setup)
 {
-  TestRig rig(setup, Width, Height);
+  Rig rig(setup, Width, Height);
   GetPass(rig)->ReuseFramesOff();
   for (int i = 0; i < 40; ++i)
   {
@@ -169,15 +170,15 @@ void CheckManySmall(TestReport& report, const Setup& setup)
 }
 
 /// Against the definition, not only against the other method.
-void CheckPlanes(TestReport& report, const Setup& setup)
+void CheckPlanes(Report& report, const Setup& setup)
 {
-  TestRig rig(setup, Width, Height);
+  Rig rig(setup, Width, Height);
   const std::vector<Layer> layers = Random(12).Layers(64);
   for (const Layer& layer : layers)
   {
     rig.AddQuad(layer);
   }
-  const TestReport::Expected expected =
+  const Report::Expected expected =
     Everywhere(ReferenceCompositor::Composite(layers, rig.GetBackground()));
   const Tolerance bound =
     ReferenceCompositor::RoundingBound(layers, rig.GetBackground(), Storage::Float32);
@@ -195,11 +196,11 @@ void CheckPlanes(TestReport& report, const Setup& setup)
 int TestAutoPassSkips(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       for (const auto& scenes : { GetInvisibleScenes(), GetFlatScenes(), GetClosedScenes() })
       {
-        for (const Scene& scene : scenes)
+        for (const SkipScene& scene : scenes)
         {
           CheckScene(report, setup, scene);
         }

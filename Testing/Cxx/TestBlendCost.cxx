@@ -4,7 +4,7 @@
 // Which scenes with closed props the automatic pass blends: what was quicker when both were
 // measured.
 
-#include "TestReport.h"
+#include "Rig/Report.h"
 
 #include "Private/Auto/vtkOITBlendCost.h"
 
@@ -41,7 +41,7 @@ bool Pays(const Measured& scene)
 
 int TestBlendCost(int, char*[])
 {
-  TestReport report;
+  Report report;
   report.SetContext("blend cost");
   for (const Measured& scene : {
          Measured{ "few props", 32, 100000, 1, 10, 1000, 1000, true },

@@ -5,8 +5,9 @@
 // layer may be split, layers of the background's colour do not show, and the picture is linear in
 // the colours.
 
-#include "FragmentColor.h"
-#include "TestRandom.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/FragmentColor.h"
+#include "Scenes/Random.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,7 @@ namespace
 constexpr int Width = 10;
 constexpr int Height = 6;
 
-Image RenderStack(TestRig& rig, const std::vector<Layer>& layers)
+Image RenderStack(Rig& rig, const std::vector<Layer>& layers)
 {
   rig.RemoveProps();
   AddStackOfAnyColor(rig, layers);
@@ -27,7 +28,7 @@ Image RenderStack(TestRig& rig, const std::vector<Layer>& layers)
 
 /// 31: two layers of opacity a' = 1 - sqrt(1 - a) one right behind the other, or coincident, are
 /// one of opacity a.
-void CheckSplitting(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckSplitting(Report& report, Rig& rig, const Setup& setup)
 {
   for (const int count : { 1, 4, 12 })
   {
@@ -54,7 +55,7 @@ void CheckSplitting(TestReport& report, TestRig& rig, const Setup& setup)
 }
 
 /// 32: any layers of the background's colour give the background's colour.
-void CheckEqualColors(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckEqualColors(Report& report, Rig& rig, const Setup& setup)
 {
   const glm::dvec4 background = rig.GetBackground();
   rig.SetBackground({ 0.25, 0.5, 0.75, 0.0 }); // halves, and sums of 8 bits, hold them
@@ -87,7 +88,7 @@ void CheckEqualColors(TestReport& report, TestRig& rig, const Setup& setup)
 }
 
 /// 33: with the colours of two scenes added, layer by layer, the pictures add up.
-void CheckLinearity(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckLinearity(Report& report, Rig& rig, const Setup& setup)
 {
   const glm::dvec4 background = rig.GetBackground();
   Random random(33);
@@ -125,9 +126,9 @@ void CheckLinearity(TestReport& report, TestRig& rig, const Setup& setup)
 int TestBlendingLaws(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
-      TestRig rig(setup, Width, Height);
+      Rig rig(setup, Width, Height);
       report.SetStressTest(31);
       CheckSplitting(report, rig, setup);
       report.SetStressTest(32);

@@ -4,7 +4,8 @@
 // Fragments that a shader discards are not captured: clipping planes of translucent and of opaque
 // props.
 
-#include "SingleLayer.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Oracle/SingleLayer.h"
 
 #include "vtkActor.h"
 #include "vtkMapper.h"
@@ -32,9 +33,9 @@ void AddClippingPlane(vtkActor* actor, double x, double y, double z, double offs
 int TestClippingPlanes(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
-      TestRig rig(setup, 64, 48);
+      Rig rig(setup, 64, 48);
       const glm::dvec4 background = rig.GetBackground();
       const PixelRectangle left{ 0.0, 0.0, 20.0, 48.0 };
 

@@ -4,8 +4,9 @@
 // Stress test 23: closed meshes and crossing triangles against the ray caster, in parallel and in
 // perspective projection, from both sides.
 
-#include "RayCaster.h"
-#include "TestRig.h"
+#include "Oracle/RayCaster.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
 
 #include "vtkCamera.h"
 #include "vtkPolyData.h"
@@ -113,7 +114,7 @@ Answer Cast(const Scene& scene, const CastCamera& camera)
   return answer;
 }
 
-void CheckScene(TestReport& report, TestRig& rig, const Setup& setup, const std::string& what,
+void CheckScene(Report& report, Rig& rig, const Setup& setup, const std::string& what,
   const Scene& scene, const Answer& answer)
 {
   report.Check(answer.LargestStack >= 2 && answer.Excluded > 0 &&
@@ -154,10 +155,10 @@ int TestClosedMeshes(int argc, char* argv[])
     }
   }
   return RunTest(argc, argv, Setups::All,
-    [&](TestReport& report, const Setup& setup)
+    [&](Report& report, const Setup& setup)
     {
       report.SetStressTest(23);
-      TestRig rig(setup, Width, Height);
+      Rig rig(setup, Width, Height);
       auto answer = answers.begin();
       for (const Scene& scene : scenes)
       {

@@ -4,8 +4,9 @@
 // Stress tests 5, 6, 7 and 9: fragments of equal depth each count once, by the symmetric rule of
 // ReferenceCompositor.h, whatever the draw order.
 
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include "vtkActor.h"
 #include "vtkNew.h"
@@ -26,7 +27,7 @@ namespace
 /// The symmetric rule. A contender may also draw coincident layers in any order: the answer that is
 /// nearest to the pixel.
 glm::dvec4 FindAnswer(
-  const TestRig& rig, const Setup& setup, const std::vector<Layer>& layers, const glm::vec4& pixel)
+  const Rig& rig, const Setup& setup, const std::vector<Layer>& layers, const glm::vec4& pixel)
 {
   glm::dvec4 answer = ReferenceCompositor::Composite(layers, rig.GetBackground());
   if (!setup.IsContender || layers.size() > 5)
@@ -51,7 +52,7 @@ glm::dvec4 FindAnswer(
   return answer;
 }
 
-void CheckStack(TestReport& report, TestRig& rig, const Setup& setup, const std::string& what,
+void CheckStack(Report& report, Rig& rig, const Setup& setup, const std::string& what,
   const std::vector<Layer>& layers)
 {
   rig.RemoveProps();
@@ -62,7 +63,7 @@ void CheckStack(TestReport& report, TestRig& rig, const Setup& setup, const std:
 }
 
 /// k coincident faces of one colour: c (1-(1-a)^k) + b (1-a)^k, from one mesh and from k actors.
-void CheckEqualColors(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckEqualColors(Report& report, Rig& rig, const Setup& setup)
 {
   const glm::vec4 color(0.9f, 0.5f, 0.1f, 0.5f);
   for (const int count : { 2, 3, 4, 5, 6, 7, 8, 9, 17, 33 })
@@ -82,7 +83,7 @@ void CheckEqualColors(TestReport& report, TestRig& rig, const Setup& setup)
 }
 
 /// Different colours, between a layer in front and one behind, in every draw order.
-void CheckDifferentColors(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckDifferentColors(Report& report, Rig& rig, const Setup& setup)
 {
   std::vector<Layer> layers{ { 0.25f, { 0.2f, 0.9f, 0.1f, 0.3f } },
     { 0.5f, { 1.0f, 0.0f, 0.0f, 0.5f } }, { 0.5f, { 0.0f, 1.0f, 0.0f, 0.25f } },
@@ -107,7 +108,7 @@ void CheckDifferentColors(TestReport& report, TestRig& rig, const Setup& setup)
 }
 
 /// A mesh drawn twice is the mesh with each opacity a replaced by 1 - (1-a)^2.
-void CheckDuplicateMesh(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckDuplicateMesh(Report& report, Rig& rig, const Setup& setup)
 {
   std::vector<Layer> layers = Random(3).Layers(6);
   std::vector<Layer> merged = layers;
@@ -140,7 +141,7 @@ void CheckDuplicateMesh(TestReport& report, TestRig& rig, const Setup& setup)
 }
 
 /// Layers whose eye depths differ, but not their float32 window depths.
-void CheckEqualWindowDepths(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckEqualWindowDepths(Report& report, Rig& rig, const Setup& setup)
 {
   // Window depths have steps of 2^-24 here; a quarter of that survives in the float32 position.
   const double near = 0.625;
@@ -179,9 +180,9 @@ void CheckEqualWindowDepths(TestReport& report, TestRig& rig, const Setup& setup
 int TestCoincidentLayers(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
-      TestRig rig(setup, 20, 16);
+      Rig rig(setup, 20, 16);
       report.SetStressTest(5);
       CheckEqualColors(report, rig, setup);
       report.SetStressTest(6);

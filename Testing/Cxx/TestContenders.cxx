@@ -4,9 +4,10 @@
 // The comparison with VTK's passes, tested with what is known of any VTK: each is right for one
 // layer, none sees the order of two but those that peel, and vtkOIT's own is right throughout.
 
-#include "Contenders.h"
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Contenders.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include "vtkOITHeadless.h"
 
@@ -19,12 +20,12 @@ using namespace vtkOITTest;
 namespace
 {
 /// Green of opacity 0.9 over red, two random layers, and one layer only.
-void Draw(TestReport& report, const Setup& setup)
+void Draw(Report& report, const Setup& setup)
 {
   const std::vector<std::vector<Layer>> stacks{ { { 0.5f, { 0.1f, 0.9f, 0.2f, 0.5f } } },
     { { 0.75f, { 1.0f, 0.0f, 0.0f, 0.9f } }, { 0.25f, { 0.0f, 1.0f, 0.0f, 0.9f } } },
     Random(5).Layers(5) };
-  TestRig rig(setup, 16, 12);
+  Rig rig(setup, 16, 12);
   for (const std::vector<Layer>& layers : stacks)
   {
     report.SetStressTest(static_cast<int>(layers.size()));
@@ -36,7 +37,7 @@ void Draw(TestReport& report, const Setup& setup)
   }
 }
 
-bool IsRight(const TestReport::Result& result)
+bool IsRight(const Report::Result& result)
 {
   return result.Error.Color <= result.Allowed.Color;
 }
@@ -49,7 +50,7 @@ int TestContenders(int, char*[])
     std::printf("FAILED: no headless render window; see the error above\n");
     return EXIT_FAILURE;
   }
-  TestReport report;
+  Report report;
   report.SetContext("contenders");
   for (const std::string name : { "vtk-weighted", "vtk-dual", "vtk-peel", "control" })
   {
@@ -67,7 +68,7 @@ int TestContenders(int, char*[])
     report.Check(IsRight(results[2]) == knowsOrder, name + ": five layers");
     if (name == "control")
     {
-      for (const TestReport::Result& result : results)
+      for (const Report::Result& result : results)
       {
         report.Check(result.Error.Alpha <= result.Allowed.Alpha, name + ": alpha is wrong");
       }

@@ -4,7 +4,8 @@
 // Stress test 22: every pixel of a closed convex mesh has exactly two layers, at the silhouette
 // too, or none.
 
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
 
 #include "vtkActor.h"
 #include "vtkNew.h"
@@ -18,10 +19,10 @@ using namespace vtkOITTest;
 int TestConvexSphere(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       report.SetStressTest(22);
-      TestRig rig(setup, 97, 83);
+      Rig rig(setup, 97, 83);
       vtkNew<vtkSphereSource> sphere;
       sphere->SetRadius(0.8);
       sphere->SetThetaResolution(61);

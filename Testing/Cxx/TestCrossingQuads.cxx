@@ -4,7 +4,8 @@
 // Stress test 21: two quads that cross are in one order left of the crossing and in the other
 // right of it, pixel by pixel.
 
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
 
 #include <glm/geometric.hpp>
 
@@ -18,7 +19,7 @@ constexpr int Width = 64;
 constexpr int Height = 16;
 
 /// The quads meet at the column position x = crossing, in pixels.
-void CheckCrossing(TestReport& report, TestRig& rig, const Setup& setup, double crossing)
+void CheckCrossing(Report& report, Rig& rig, const Setup& setup, double crossing)
 {
   const glm::vec4 red(1.0f, 0.1f, 0.0f, 0.5f);
   const glm::vec4 green(0.0f, 1.0f, 0.3f, 0.5f);
@@ -60,10 +61,10 @@ void CheckCrossing(TestReport& report, TestRig& rig, const Setup& setup, double 
 int TestCrossingQuads(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       report.SetStressTest(21);
-      TestRig rig(setup, Width, Height);
+      Rig rig(setup, Width, Height);
       CheckCrossing(report, rig, setup, 32.0); // between two columns
       CheckCrossing(report, rig, setup, 20.0);
       CheckCrossing(report, rig, setup, 40.5); // on the centres of a column

@@ -4,7 +4,8 @@
 // Stress test 26: sheets cut by the near and the far plane keep every fragment inside, and layers
 // at the window depths 0 and 1 exactly are not lost.
 
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
 
 #include <algorithm>
 
@@ -16,8 +17,7 @@ constexpr int Width = 64;
 constexpr int Height = 12;
 
 /// A sheet that leaves the view at the middle, in front of or behind a constant layer.
-void CheckClippedSheet(
-  TestReport& report, TestRig& rig, const Setup& setup, double left, double right)
+void CheckClippedSheet(Report& report, Rig& rig, const Setup& setup, double left, double right)
 {
   const Layer middle{ 0.5f, { 0.1f, 0.9f, 0.2f, 0.5f } };
   const glm::vec4 color(0.9f, 0.2f, 0.1f, 0.375f);
@@ -39,7 +39,7 @@ void CheckClippedSheet(
 }
 
 /// Constant layers on the planes themselves: the clip volume and the depth test include both.
-void CheckLimits(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckLimits(Report& report, Rig& rig, const Setup& setup)
 {
   const std::vector<Layer> layers{ { 0.0f, { 0.9f, 0.1f, 0.1f, 0.5f } },
     { 0.5f, { 0.1f, 0.9f, 0.1f, 0.25f } }, { 1.0f, { 0.1f, 0.1f, 0.9f, 0.75f } } };
@@ -59,10 +59,10 @@ void CheckLimits(TestReport& report, TestRig& rig, const Setup& setup)
 int TestDepthLimits(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       report.SetStressTest(26);
-      TestRig rig(setup, Width, Height);
+      Rig rig(setup, Width, Height);
       CheckClippedSheet(report, rig, setup, -0.25, 0.25);
       CheckClippedSheet(report, rig, setup, 0.25, -0.25);
       CheckClippedSheet(report, rig, setup, 0.75, 1.25);

@@ -5,8 +5,9 @@
 // right order as long as the float32 window depth tells them apart, and where it does not they
 // count as coincident.
 
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -15,6 +16,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
+
+#include <glm/vec2.hpp>
 
 #include <cmath>
 
@@ -31,7 +34,7 @@ double ToWindowDepth(double distance)
 }
 
 /// A square across the view at the distance from the eye, which is in the origin.
-vtkActor* AddSheet(TestRig& rig, double distance, const glm::vec4& color)
+vtkActor* AddSheet(Rig& rig, double distance, const glm::vec4& color)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToFloat();
@@ -49,7 +52,7 @@ vtkActor* AddSheet(TestRig& rig, double distance, const glm::vec4& color)
 }
 
 /// The window depth that the rasteriser makes of a sheet.
-float MeasureDepth(TestReport& report, TestRig& rig, double distance)
+float MeasureDepth(Report& report, Rig& rig, double distance)
 {
   rig.RemoveProps();
   AddSheet(rig, distance, { 1.0f, 1.0f, 1.0f, 1.0f });
@@ -69,8 +72,7 @@ float MeasureDepth(TestReport& report, TestRig& rig, double distance)
 
 /// Layers from the distance on, so far apart that the nominal window depths differ by `steps`
 /// steps of 2^-24; further away than float32 depths reach, by a factor.
-void CheckSpacing(
-  TestReport& report, TestRig& rig, const Setup& setup, double distance, double steps)
+void CheckSpacing(Report& report, Rig& rig, const Setup& setup, double distance, double steps)
 {
   const std::string what =
     "at " + std::to_string(distance) + ", " + std::to_string(steps) + " steps";
@@ -116,10 +118,10 @@ void CheckSpacing(
 int TestDepthRange(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       report.SetStressTest(11);
-      TestRig rig(setup, 8, 6);
+      Rig rig(setup, 8, 6);
       vtkCamera* camera = rig.Renderer->GetActiveCamera();
       camera->ParallelProjectionOff();
       camera->SetViewAngle(60.0);

@@ -3,8 +3,9 @@
 
 // Stress test 8: layers as close as float32 window depths can be are still in the right order.
 
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include <cmath>
 
@@ -13,7 +14,7 @@ using namespace vtkOITTest;
 namespace
 {
 /// Four layers from the depth on, the given number of steps apart, drawn in three orders.
-void CheckSpacing(TestReport& report, TestRig& rig, const Setup& setup, double depth, double step)
+void CheckSpacing(Report& report, Rig& rig, const Setup& setup, double depth, double step)
 {
   const glm::vec4 colors[4] = { { 1.0f, 0.0f, 0.0f, 0.5f }, { 0.0f, 1.0f, 0.0f, 0.5f },
     { 0.0f, 0.0f, 1.0f, 0.5f }, { 1.0f, 1.0f, 0.0f, 0.5f } };
@@ -51,9 +52,9 @@ void CheckSpacing(TestReport& report, TestRig& rig, const Setup& setup, double d
 int TestDepthResolution(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
-      TestRig rig(setup, 8, 6);
+      Rig rig(setup, 8, 6);
       report.SetStressTest(8);
       for (const int ulps : { 1, 2, 4, 8 })
       {

@@ -4,8 +4,9 @@
 // Stress tests 3, 4 and 34: the picture has the same bits whatever the order of drawing, frame
 // after frame, in every way of use, and with a storage so small that it is rendered in parts.
 
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include <map>
 
@@ -57,7 +58,7 @@ Image Reference(const std::vector<Piece>& pieces, const glm::dvec4& background)
   return image;
 }
 
-Image RenderPieces(TestRig& rig, const std::vector<Piece>& pieces)
+Image RenderPieces(Rig& rig, const std::vector<Piece>& pieces)
 {
   rig.RemoveProps();
   for (const Piece& piece : pieces)
@@ -73,10 +74,10 @@ int TestDrawOrder(int argc, char* argv[])
   // The picture of the first way of use, for each tier and storage.
   std::map<std::pair<std::string, Storage>, Image> firstUse;
   return RunTest(argc, argv, Setups::All,
-    [&](TestReport& report, const Setup& setup)
+    [&](Report& report, const Setup& setup)
     {
       std::vector<Piece> pieces = MakeScene();
-      TestRig rig(setup, Width, Height);
+      Rig rig(setup, Width, Height);
       report.SetStressTest(2);
       const Image first = RenderPieces(rig, pieces);
 

@@ -4,8 +4,9 @@
 // A method that cannot run is replaced by the best exact one, which is named, and comes back when
 // it can run again.
 
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include "vtkNew.h"
 #include "vtkOITABufferPass.h"
@@ -21,7 +22,7 @@ using namespace vtkOITTest;
 
 namespace
 {
-void CheckName(TestReport& report, vtkOITPass* pass, const std::string& expected)
+void CheckName(Report& report, vtkOITPass* pass, const std::string& expected)
 {
   report.Check(pass->GetAlgorithmName() == expected,
     "rendered by " + std::string(pass->GetAlgorithmName()) + ", expected " + expected);
@@ -31,7 +32,7 @@ void CheckName(TestReport& report, vtkOITPass* pass, const std::string& expected
 int TestFallback(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       if (setup.Tier != "all extensions")
       {
@@ -42,7 +43,7 @@ int TestFallback(int argc, char* argv[])
 
       vtksys::SystemTools::PutEnv("VTKOIT_HIDE_EXTENSIONS=GL_ARB_shader_storage_buffer_object");
       {
-        TestRig rig(setup, 16, 12);
+        Rig rig(setup, 16, 12);
         rig.AddStack(layers);
         const Image image = rig.Render();
         CheckName(report, rig.Pass, "dual depth peeling");
@@ -59,7 +60,7 @@ int TestFallback(int argc, char* argv[])
       }
       vtksys::SystemTools::PutEnv("VTKOIT_HIDE_EXTENSIONS=");
 
-      TestRig rig(setup, 16, 12);
+      Rig rig(setup, 16, 12);
       vtkNew<vtkOITDualDepthPeelingPass> dual;
       dual->SetTransmittanceThreshold(0.0);
       setup.Attach(rig.Renderer, dual);

@@ -4,8 +4,9 @@
 // Stress tests 15 to 19: opacities outside [0, 1], colours that are huge, tiny, negative, infinite
 // or not a number. What half floats cannot hold is clamped as docs/vtkOITABufferPass.md says.
 
-#include "FragmentColor.h"
-#include "TestRandom.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/FragmentColor.h"
+#include "Scenes/Random.h"
 
 #include <glm/common.hpp>
 
@@ -41,7 +42,7 @@ std::vector<Layer> Clamp(const std::vector<Layer>& layers, const Setup& setup)
   return kept;
 }
 
-void CheckStack(TestReport& report, TestRig& rig, const Setup& setup, const std::string& what,
+void CheckStack(Report& report, Rig& rig, const Setup& setup, const std::string& what,
   const std::vector<Layer>& layers)
 {
   const std::vector<Layer> kept = Clamp(layers, setup);
@@ -53,7 +54,7 @@ void CheckStack(TestReport& report, TestRig& rig, const Setup& setup, const std:
 }
 
 /// 15: opacities are clamped; one that is not a number leaves no trace.
-void CheckOpacities(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckOpacities(Report& report, Rig& rig, const Setup& setup)
 {
   const float opacities[] = { -0.5f, -Infinity, 1.5f, 1000.0f, Infinity, NotANumber };
   for (const float opacity : opacities)
@@ -69,7 +70,7 @@ void CheckOpacities(TestReport& report, TestRig& rig, const Setup& setup)
 }
 
 /// 16: with all colours and the background times s the picture is s times the picture.
-void CheckScaling(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckScaling(Report& report, Rig& rig, const Setup& setup)
 {
   const std::vector<Layer> layers = Random(16).Layers(7);
   const glm::dvec4 background = rig.GetBackground();
@@ -119,7 +120,7 @@ void CheckScaling(TestReport& report, TestRig& rig, const Setup& setup)
 }
 
 /// 17 and 18: colours larger than any half, and negative ones.
-void CheckColors(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckColors(Report& report, Rig& rig, const Setup& setup)
 {
   for (const float size : { 65504.0f, 131008.0f, 1e30f, -0.5f, -40.0f, -65504.0f })
   {
@@ -137,7 +138,7 @@ void CheckColors(TestReport& report, TestRig& rig, const Setup& setup)
 
 /// 19: one fragment with a colour that is no number or infinite spoils no other pixel, and its own
 /// pixel is finite.
-void CheckSpoiltFragment(TestReport& report, TestRig& rig, const Setup&)
+void CheckSpoiltFragment(Report& report, Rig& rig, const Setup&)
 {
   const std::vector<Layer> layers = Random(19).Layers(6);
   rig.RemoveProps();
@@ -166,9 +167,9 @@ void CheckSpoiltFragment(TestReport& report, TestRig& rig, const Setup&)
 int TestFragmentColors(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
-      TestRig rig(setup, Width, Height);
+      Rig rig(setup, Width, Height);
       if (setup.IsContender) // an 8-bit window has no such colours; what opacities mean is our rule
       {
         return;

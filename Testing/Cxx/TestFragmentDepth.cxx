@@ -5,8 +5,9 @@
 // layers: polygon offsets, depths from a shader, and sphere impostors against the sphere's
 // equation.
 
-#include "FragmentColor.h"
-#include "TestRandom.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/FragmentColor.h"
+#include "Scenes/Random.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"
@@ -28,7 +29,7 @@ constexpr int Width = 64;
 constexpr int Height = 48;
 
 /// Quads that say they are at the depth of their geometry and write another one.
-void CheckWrittenDepths(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckWrittenDepths(Report& report, Rig& rig, const Setup& setup)
 {
   Random random(25);
   std::vector<Layer> layers = random.Layers(6);
@@ -53,7 +54,7 @@ void CheckWrittenDepths(TestReport& report, TestRig& rig, const Setup& setup)
 /// A sphere impostor with a translucent quad through it. Of a ray through the sphere VTK draws the
 /// near side, and for translucent props the far side in the same place or not at all; so the quad
 /// is compared where it is in front of all of the sphere, and behind its near side.
-void CheckSpheres(TestReport& report, TestRig& rig, const Setup& setup, float depth)
+void CheckSpheres(Report& report, Rig& rig, const Setup& setup, float depth)
 {
   const double radius = 0.7;
   vtkNew<vtkPoints> points;
@@ -129,10 +130,10 @@ void CheckSpheres(TestReport& report, TestRig& rig, const Setup& setup, float de
 int TestFragmentDepth(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       report.SetStressTest(25);
-      TestRig rig(setup, Width, Height);
+      Rig rig(setup, Width, Height);
       CheckWrittenDepths(report, rig, setup);
       for (const float depth : { 0.125f, 0.25f, 0.875f })
       {

@@ -4,10 +4,11 @@
 // A pass leaves OpenGL's state as it found it, also where it is unusual, and VTK's cache of it
 // true. Without translucent props it touches nothing at all.
 
-#include "GLStateSnapshot.h"
-#include "TestGL.h"
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/GLObjects.h"
+#include "Rig/GLStateSnapshot.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -135,7 +136,7 @@ private:
   GLuint Texture = 0;
 };
 
-void CheckProbe(TestReport& report, StateProbe* probe, const std::string& what)
+void CheckProbe(Report& report, StateProbe* probe, const std::string& what)
 {
   report.Check(probe->NumberOfRenders > 0, what + ": the pass was not rendered");
   for (const std::string& change : probe->Changes)
@@ -153,9 +154,9 @@ void CheckProbe(TestReport& report, StateProbe* probe, const std::string& what)
 int TestGLState(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
-      TestRig rig(setup, Width, Height);
+      Rig rig(setup, Width, Height);
       setup.Detach(rig.Renderer);
       vtkNew<StateProbe> probe;
       probe->Delegate = rig.Pass;

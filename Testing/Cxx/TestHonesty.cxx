@@ -4,7 +4,8 @@
 // What a pass says about its picture is true: a frame that is reported as exact is right, and one
 // that is not right is reported as not exact, with a bound that holds in an 8-bit window.
 
-#include "RandomScene.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Scenes/RandomScene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,13 +32,13 @@ double FindLargestError(const Image& image, const Image& expected)
 int TestHonesty(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
-      TestRig rig(setup, SceneWidth, SceneHeight);
+      Rig rig(setup, SceneWidth, SceneHeight);
       Setup peel = setup;
       peel.Method = "peel";
       peel.FragmentStorage = Storage::Float32;
-      TestRig reference(peel, SceneWidth, SceneHeight);
+      Rig reference(peel, SceneWidth, SceneHeight);
       const Tolerance rounding =
         ReferenceCompositor::RoundingBoundOfAnyStack(40, setup.FragmentStorage);
       int inexact = 0;

@@ -4,7 +4,7 @@
 // Sphere and stick impostors write gl_FragDepth: as opaque occluders and as translucent props
 // their own depth counts, not the one of the face that they are drawn on.
 
-#include "SingleLayer.h"
+#include "Oracle/SingleLayer.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
@@ -46,7 +46,7 @@ void AddVertices(vtkPolyData* polydata, unsigned char r, unsigned char g, unsign
 
 /// Three spheres side by side, lit. Their centres are behind the ramps of the test: VTK also draws
 /// the inner sides of translucent impostors, which an opaque ramp must hide here.
-vtkActor* AddSpheres(TestRig& rig)
+vtkActor* AddSpheres(Rig& rig)
 {
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(-0.8, 0.0, -0.28);
@@ -65,7 +65,7 @@ vtkActor* AddSpheres(TestRig& rig)
 }
 
 /// Two sticks side by side, inclined towards the camera.
-vtkActor* AddSticks(TestRig& rig)
+vtkActor* AddSticks(Rig& rig)
 {
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(-0.5, 0.0, 0.0);
@@ -99,11 +99,11 @@ vtkActor* AddSticks(TestRig& rig)
 int TestImpostors(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       report.SetStressTest(25);
-      TestRig rig(setup, 96, 64);
-      using AddProp = vtkActor* (*)(TestRig&);
+      Rig rig(setup, 96, 64);
+      using AddProp = vtkActor* (*)(Rig&);
       const std::pair<std::string, AddProp> props[] = { { "spheres", AddSpheres },
         { "sticks", AddSticks } };
       for (const auto& prop : props)

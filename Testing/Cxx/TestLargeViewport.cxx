@@ -6,9 +6,10 @@
 // is tested is bounded by the memory and time of a test; what lies beyond 128 MiB of fragments is
 // in TestABufferLargeStore.
 
-#include "TestGL.h"
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/GLObjects.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include "vtkCamera.h"
 #include "vtkRenderWindow.h"
@@ -46,10 +47,10 @@ std::vector<Piece> MakePieces(int width, int height)
   return pieces;
 }
 
-void CheckSize(TestReport& report, const Setup& setup, int width, int height)
+void CheckSize(Report& report, const Setup& setup, int width, int height)
 {
   const std::string what = std::to_string(width) + " x " + std::to_string(height);
-  TestRig rig(setup, width, height);
+  Rig rig(setup, width, height);
   const std::vector<Piece> pieces = MakePieces(width, height);
   for (const Piece& piece : pieces)
   {
@@ -76,7 +77,7 @@ void CheckSize(TestReport& report, const Setup& setup, int width, int height)
   // Rendered in tiles of half the size the picture has the same bits.
   if (width % 2 == 0 && height % 2 == 0)
   {
-    TestRig part(setup, width / 2, height / 2);
+    Rig part(setup, width / 2, height / 2);
     part.Window->SetTileScale(2);
     for (const Piece& piece : pieces)
     {
@@ -114,12 +115,12 @@ void CheckSize(TestReport& report, const Setup& setup, int width, int height)
 int TestLargeViewport(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       report.SetStressTest(27);
       int largest = 0;
       {
-        TestRig rig(setup, 8, 8);
+        Rig rig(setup, 8, 8);
         rig.Window->Render();
         rig.Window->MakeCurrent();
         glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);

@@ -4,8 +4,9 @@
 // Stress tests 1 and 2: N equal layers have a closed formula, random layers the recurrence.
 // In a float32 framebuffer, in the 8-bit window, and on a transparent background.
 
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include <cmath>
 
@@ -15,7 +16,7 @@ namespace
 {
 /// c (1 - (1-a)^N) + b (1-a)^N, alpha alike; the half and the float32 opacity differ, so the
 /// tolerance is the one of the reference.
-void CheckEqualLayers(TestReport& report, TestRig& rig, const Setup& setup, int count, float a)
+void CheckEqualLayers(Report& report, Rig& rig, const Setup& setup, int count, float a)
 {
   const glm::vec4 color(0.8f, 0.1f, 0.3f, a);
   const std::vector<float> depths = Random(count).Depths(count);
@@ -31,7 +32,7 @@ void CheckEqualLayers(TestReport& report, TestRig& rig, const Setup& setup, int 
       EqualLayers(depths, color), rig.GetBackground(), setup.FragmentStorage));
 }
 
-void CheckRandomLayers(TestReport& report, TestRig& rig, const Setup& setup, int count)
+void CheckRandomLayers(Report& report, Rig& rig, const Setup& setup, int count)
 {
   const std::vector<Layer> layers = Random(100 + count).Layers(count);
   rig.RemoveProps();
@@ -47,7 +48,7 @@ void CheckRandomLayers(TestReport& report, TestRig& rig, const Setup& setup, int
     const std::string over = what + " over alpha " + std::to_string(background.a);
     report.Compare(over, rig.Render(), Everywhere(expected), bound);
     report.Compare(over + " in the window", rig.RenderWindow(), Everywhere(expected),
-      bound + TestRig::WindowTolerance());
+      bound + Rig::WindowTolerance());
   }
   rig.SetBackground(glm::dvec4(0.2, 0.4, 0.6, 0.4));
 }
@@ -56,9 +57,9 @@ void CheckRandomLayers(TestReport& report, TestRig& rig, const Setup& setup, int
 int TestLayerStacks(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
-      TestRig rig(setup, 8, 6);
+      Rig rig(setup, 8, 6);
       std::vector<int> counts{ 1, 2, 3, 8, 17, 64, 1000 };
       if (setup.UseMode == Use::Installed)
       {

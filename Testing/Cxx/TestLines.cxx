@@ -4,7 +4,8 @@
 // Stress test 24: translucent lines. Where two cross there are two layers, and at the joint of a
 // polyline one or two, never none.
 
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
@@ -12,6 +13,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+
+#include <glm/vec2.hpp>
 
 #include <cmath>
 
@@ -24,7 +27,7 @@ constexpr int Height = 48;
 
 /// A polyline through pixel positions, of one depth.
 vtkActor* AddLine(
-  TestRig& rig, const std::vector<glm::dvec2>& pixels, double depth, const glm::vec4& color)
+  Rig& rig, const std::vector<glm::dvec2>& pixels, double depth, const glm::vec4& color)
 {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
@@ -41,7 +44,7 @@ vtkActor* AddLine(
 }
 
 /// A horizontal and a vertical line, whose pixels are known: the row and the column.
-void CheckCrossing(TestReport& report, TestRig& rig, const Setup& setup, bool swapped)
+void CheckCrossing(Report& report, Rig& rig, const Setup& setup, bool swapped)
 {
   const Layer row{ swapped ? 0.75f : 0.25f, { 0.9f, 0.1f, 0.2f, 0.5f } };
   const Layer column{ 0.5f, { 0.1f, 0.8f, 0.3f, 0.25f } };
@@ -77,7 +80,7 @@ void CheckCrossing(TestReport& report, TestRig& rig, const Setup& setup, bool sw
 }
 
 /// Zigzag: each pixel that an opaque zigzag covers has one layer, or two at the joints.
-void CheckJoints(TestReport& report, TestRig& rig, const Setup& setup, float width)
+void CheckJoints(Report& report, Rig& rig, const Setup& setup, float width)
 {
   std::vector<glm::dvec2> zigzag;
   for (int i = 0; i < 7; ++i)
@@ -133,10 +136,10 @@ void CheckJoints(TestReport& report, TestRig& rig, const Setup& setup, float wid
 int TestLines(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       report.SetStressTest(24);
-      TestRig rig(setup, Width, Height);
+      Rig rig(setup, Width, Height);
       CheckCrossing(report, rig, setup, false);
       CheckCrossing(report, rig, setup, true);
       CheckJoints(report, rig, setup, 1.0f);

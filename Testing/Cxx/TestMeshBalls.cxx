@@ -3,7 +3,7 @@
 
 // The balls inside of and around closed convex meshes, which tell that one prop encloses another.
 
-#include "TestReport.h"
+#include "Rig/Report.h"
 
 #include "Private/Auto/vtkOITMeshShape.h"
 
@@ -29,7 +29,7 @@ bool IsNear(double a, double b)
 }
 
 void CheckBalls(
-  TestReport& report, const std::string& what, vtkPolyData* mesh, const vtkOITMeshBalls& expected)
+  Report& report, const std::string& what, vtkPolyData* mesh, const vtkOITMeshBalls& expected)
 {
   vtkOITMeshBalls balls;
   vtkOITFindMeshShape(mesh, balls);
@@ -48,7 +48,7 @@ void CheckBalls(
 
 int TestMeshBalls(int, char*[])
 {
-  TestReport report;
+  Report report;
   report.SetContext("mesh balls");
 
   vtkNew<vtkCubeSource> box;

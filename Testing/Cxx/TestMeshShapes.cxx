@@ -4,12 +4,12 @@
 // What the automatic pass proves of meshes: flat and convex, closed and convex, and nothing of what
 // only looks like it.
 
-#include "TestReport.h"
+#include "Rig/Report.h"
+#include "Scenes/ShapeMeshes.h"
 
 #include "Private/Auto/vtkOITMeshShape.h"
 #include "vtkVersionMacros.h"
 
-#include "vtkCellArray.h"
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
 #include "vtkCylinderSource.h"
@@ -17,20 +17,15 @@
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
 #include "vtkPlatonicSolidSource.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRegularPolygonSource.h"
 #include "vtkReverseSense.h"
-#include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
-#include "vtkTransform.h"
-#include "vtkTransformPolyDataFilter.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -40,23 +35,21 @@ using namespace vtkOITTest;
 namespace
 {
 using Shape = vtkOITMeshShape;
-using MeshPointer = vtkSmartPointer<vtkPolyData>;
-using Corners = std::vector<vtkIdType>;
 
 const double Pi = std::acos(-1.0);
 
 class Checker
 {
 public:
-  explicit Checker(TestReport& report)
-    : Report(report)
+  explicit Checker(Report& report)
+    : TheReport(report)
   {
   }
 
   void Check(const std::string& what, vtkPolyData* mesh, Shape expected)
   {
     const Shape found = vtkOITFindMeshShape(mesh);
-    this->Report.Check(
+    this->TheReport.Check(
       found == expected, what + " is " + Name(found) + ", expected " + Name(expected));
   }
 
@@ -83,184 +76,8 @@ private:
     }
   }
 
-  TestReport& Report;
+  Report& TheReport;
 };
-
-MeshPointer MakeMesh(const std::vector<glm::dvec3>& points, const std::vector<Corners>& polygons)
-{
-  vtkNew<vtkPoints> meshPoints;
-  meshPoints->SetDataTypeToDouble();
-  for (const glm::dvec3& p : points)
-  {
-    meshPoints->InsertNextPoint(p.x, p.y, p.z);
-  }
-  vtkNew<vtkCellArray> cells;
-  for (const Corners& polygon : polygons)
-  {
-    cells->InsertNextCell(static_cast<vtkIdType>(polygon.size()), polygon.data());
-  }
-  auto mesh = MeshPointer::New();
-  mesh->SetPoints(meshPoints);
-  mesh->SetPolys(cells);
-  return mesh;
-}
-
-MeshPointer MakeFlat(const std::vector<glm::dvec2>& outline)
-{
-  std::vector<glm::dvec3> points;
-  Corners polygon;
-  for (const glm::dvec2& p : outline)
-  {
-    polygon.push_back(static_cast<vtkIdType>(points.size()));
-    points.emplace_back(p.x, p.y, 0.25);
-  }
-  return MakeMesh(points, { polygon });
-}
-
-/// A closed grid of quads, nu x nv, that closes in both directions.
-MeshPointer MakeTorus(int nu, int nv)
-{
-  std::vector<glm::dvec3> points;
-  std::vector<Corners> quads;
-  for (int u = 0; u < nu; ++u)
-  {
-    for (int v = 0; v < nv; ++v)
-    {
-      const double a = 2.0 * Pi * u / nu;
-      const double b = 2.0 * Pi * v / nv;
-      points.emplace_back((1.0 + 0.4 * std::cos(b)) * std::cos(a),
-        (1.0 + 0.4 * std::cos(b)) * std::sin(a), 0.4 * std::sin(b));
-      const auto at = [nu, nv](int i, int j) { return vtkIdType(i % nu) * nv + j % nv; };
-      quads.push_back({ at(u, v), at(u + 1, v), at(u + 1, v + 1), at(u, v + 1) });
-    }
-  }
-  return MakeMesh(points, quads);
-}
-
-const std::vector<glm::dvec3> CubePoints{ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
-  { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
-const std::vector<Corners> CubeFaces{ { 0, 3, 2, 1 }, { 4, 5, 6, 7 }, { 0, 1, 5, 4 },
-  { 1, 2, 6, 5 }, { 2, 3, 7, 6 }, { 3, 0, 4, 7 } };
-
-MeshPointer MakeCubes(const std::vector<glm::dvec3>& offsets)
-{
-  std::vector<glm::dvec3> points;
-  std::vector<Corners> faces;
-  for (const glm::dvec3& offset : offsets)
-  {
-    const auto first = static_cast<vtkIdType>(points.size());
-    for (const glm::dvec3& p : CubePoints)
-    {
-      points.push_back(p + offset);
-    }
-    for (Corners face : CubeFaces)
-    {
-      for (vtkIdType& corner : face)
-      {
-        corner += first;
-      }
-      faces.push_back(face);
-    }
-  }
-  return MakeMesh(points, faces);
-}
-
-/// A cube of size 2 whose upper face is a grid of this height.
-MeshPointer MakeCubeWithTop(int count, const std::function<double(double, double)>& getHeight)
-{
-  std::vector<glm::dvec3> points;
-  std::vector<Corners> faces;
-  const auto at = [count](int i, int j) { return vtkIdType(j) * (count + 1) + i; };
-  for (int j = 0; j <= count; ++j)
-  {
-    for (int i = 0; i <= count; ++i)
-    {
-      const double x = 2.0 * i / count - 1.0;
-      const double y = 2.0 * j / count - 1.0;
-      points.emplace_back(x, y, getHeight(x, y));
-      if (i < count && j < count)
-      {
-        faces.push_back({ at(i, j), at(i + 1, j), at(i + 1, j + 1) });
-        faces.push_back({ at(i, j), at(i + 1, j + 1), at(i, j + 1) });
-      }
-    }
-  }
-  // A wall below each side of the grid, each one polygon, and the floor.
-  const auto bottom = static_cast<vtkIdType>(points.size());
-  points.insert(points.end(), { { -1, -1, -1 }, { 1, -1, -1 }, { 1, 1, -1 }, { -1, 1, -1 } });
-  Corners walls[4] = { { bottom, bottom + 1 }, { bottom + 1, bottom + 2 },
-    { bottom + 2, bottom + 3 }, { bottom + 3, bottom } };
-  for (int i = count; i >= 0; --i)
-  {
-    walls[0].push_back(at(i, 0));
-    walls[1].push_back(at(count, i));
-    walls[2].push_back(at(count - i, count));
-    walls[3].push_back(at(0, count - i));
-  }
-  faces.insert(faces.end(), std::begin(walls), std::end(walls));
-  faces.push_back({ bottom + 3, bottom + 2, bottom + 1, bottom });
-  return MakeMesh(points, faces);
-}
-
-/// Down by `depth` in the middle of the upper face, like a bowl.
-MeshPointer MakeCubeWithBowl(int count, double depth)
-{
-  return MakeCubeWithTop(
-    count, [depth](double x, double y) { return 1.0 - depth * (1.0 - x * x) * (1.0 - y * y); });
-}
-
-MeshPointer MakeCubeWithBump(int count, double height)
-{
-  return MakeCubeWithTop(
-    count, [height](double x, double y) { return 1.0 + height * (2.0 - x * x - y * y); });
-}
-
-/// A block of which one side of `count` strips goes in by `depth`, as part of a circle does.
-MeshPointer MakeHollowBlock(int count, double depth)
-{
-  std::vector<glm::dvec3> points;
-  std::vector<Corners> faces;
-  Corners bottom;
-  Corners top;
-  const auto add = [&](double x, double y)
-  {
-    for (const double z : { -1.0, 1.0 })
-    {
-      (z < 0.0 ? bottom : top).push_back(static_cast<vtkIdType>(points.size()));
-      points.emplace_back(x, y, z);
-    }
-  };
-  add(1.0, -1.0);
-  for (int i = 0; i <= count; ++i)
-  {
-    const double x = 1.0 - 2.0 * i / count;
-    add(x, 1.0 - depth * (1.0 - x * x));
-  }
-  add(-1.0, -1.0);
-  for (std::size_t i = 0; i < top.size(); ++i)
-  {
-    const std::size_t next = (i + 1) % top.size();
-    faces.push_back({ bottom[i], bottom[next], top[next], top[i] });
-  }
-  faces.push_back(top);
-  faces.emplace_back(bottom.rbegin(), bottom.rend());
-  return MakeMesh(points, faces);
-}
-
-MeshPointer Transform(vtkPolyData* mesh, double x, double y, double z, bool turn)
-{
-  vtkNew<vtkTransform> transform;
-  transform->Translate(x, y, z);
-  if (turn)
-  {
-    transform->RotateWXYZ(37.0, 1.0, 2.0, 3.0);
-  }
-  vtkNew<vtkTransformPolyDataFilter> filter;
-  filter->SetTransform(transform);
-  filter->SetInputData(mesh);
-  filter->Update();
-  return filter->GetOutput();
-}
 
 void CheckClosed(Checker& checker)
 {
@@ -483,7 +300,7 @@ void CheckFarAway(Checker& checker)
 
 int TestMeshShapes(int, char*[])
 {
-  TestReport report;
+  Report report;
   report.SetContext("mesh shapes");
   Checker checker(report);
   CheckClosed(checker);

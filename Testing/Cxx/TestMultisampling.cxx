@@ -4,8 +4,9 @@
 // A window with 4 samples a pixel: right colours inside and outside of edges, a mixture on them,
 // and opaque geometry hides sample by sample.
 
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -39,7 +40,7 @@ bool IsBetween(const glm::vec4& pixel, const glm::dvec4& a, const glm::dvec4& b)
 int TestMultisampling(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       if (!setup.HasStorage)
       {
@@ -47,12 +48,12 @@ int TestMultisampling(int argc, char* argv[])
           setup.Describe().c_str());
         return;
       }
-      TestRig rig(setup, Width, Height);
+      Rig rig(setup, Width, Height);
       rig.Window->SetMultiSamples(4);
       const glm::dvec4 background = rig.GetBackground();
       const Tolerance bound =
         ReferenceCompositor::RoundingBoundOfAnyStack(40, setup.FragmentStorage) +
-        TestRig::WindowTolerance();
+        Rig::WindowTolerance();
 
       for (const int count : { 1, 5, 40 })
       {

@@ -5,8 +5,9 @@
 // nothing allocated, the picture as without it. And a scene with opaque, translucent and empty
 // pixels is right in each of them.
 
-#include "TestGL.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/GLObjects.h"
+#include "Rig/Rig.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
@@ -27,23 +28,23 @@ const glm::vec4 Red(0.9f, 0.2f, 0.1f, 0.5f);
 struct Scene
 {
   const char* Name;
-  void (*Build)(TestRig&);
+  void (*Build)(Rig&);
 };
 
 const Scene Scenes[] = {
-  { "no props", [](TestRig&) {} },
+  { "no props", [](Rig&) {} },
   { "opaque props",
-    [](TestRig& rig) {
+    [](Rig& rig) {
       rig.AddQuad({ 0.5f, { 0.1f, 0.9f, 0.2f, 1.0f } }, { 5.0, 5.0, 25.0, 20.0 });
     } },
   { "invisible translucent prop",
-    [](TestRig& rig)
+    [](Rig& rig)
     {
       rig.AddQuad({ 0.5f, { 0.1f, 0.9f, 0.2f, 1.0f } }, { 5.0, 5.0, 25.0, 20.0 });
       rig.AddQuad({ 0.25f, Red })->VisibilityOff();
     } },
   { "empty translucent poly data",
-    [](TestRig& rig)
+    [](Rig& rig)
     {
       vtkNew<vtkPolyData> empty;
       empty->SetPoints(vtkNew<vtkPoints>());
@@ -52,19 +53,19 @@ const Scene Scenes[] = {
       rig.AddPolyData(vtkNew<vtkPolyData>(), Red);
     } },
   { "translucent prop beside the viewport",
-    [](TestRig& rig) {
+    [](Rig& rig) {
       rig.AddQuad({ 0.5f, Red }, { 50.0, 5.0, 70.0, 20.0 });
     } },
   { "translucent prop behind the camera",
-    [](TestRig& rig) {
+    [](Rig& rig) {
       rig.AddQuad({ -4.0f, Red }, { 5.0, 5.0, 25.0, 20.0 });
     } },
 };
 
-void CheckNothing(TestReport& report, const Setup& setup, const Scene& scene)
+void CheckNothing(Report& report, const Setup& setup, const Scene& scene)
 {
   const std::string what = scene.Name;
-  TestRig rig(setup, Width, Height);
+  Rig rig(setup, Width, Height);
   setup.Detach(rig.Renderer);
   scene.Build(rig);
   const Image expected = rig.Render();
@@ -92,9 +93,9 @@ void CheckNothing(TestReport& report, const Setup& setup, const Scene& scene)
 }
 
 /// Half of the viewport opaque, a translucent quad over a part of both halves.
-void CheckMixedPixels(TestReport& report, const Setup& setup)
+void CheckMixedPixels(Report& report, const Setup& setup)
 {
-  TestRig rig(setup, Width, Height);
+  Rig rig(setup, Width, Height);
   const PixelRectangle opaque{ 0.0, 0.0, 20.0, 30.0 };
   const PixelRectangle translucent{ 10.0, 5.0, 30.0, 25.0 };
   const glm::vec4 green(0.1f, 0.9f, 0.2f, 1.0f);
@@ -116,7 +117,7 @@ void CheckMixedPixels(TestReport& report, const Setup& setup)
 int TestNothingTranslucent(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       report.SetStressTest(35);
       if (setup.FragmentStorage == Storage::Half) // what is not stored has no format

@@ -4,8 +4,9 @@
 // Framebuffers of other formats: colours as floats, with values above 1, and depths of 24 and 32
 // bits. Opaque geometry in the same plane is never mistaken for being in front.
 
-#include "SingleLayer.h"
-#include "TestRandom.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Oracle/SingleLayer.h"
+#include "Scenes/Random.h"
 
 #include "vtkActor.h"
 #include "vtkFramebufferPass.h"
@@ -39,13 +40,13 @@ const Format Formats[] = {
   { "RGBA8, D32F", VTK_UNSIGNED_CHAR, vtkTextureObject::Float32 },
 };
 
-void CheckFormat(TestReport& report, const Setup& setup, const Format& format)
+void CheckFormat(Report& report, const Setup& setup, const Format& format)
 {
   const std::string name = format.Name;
-  TestRig rig(setup, Width, Height);
+  Rig rig(setup, Width, Height);
   rig.SetTargetFormat(format.ColorType, format.DepthFormat);
   const bool isFloat = format.ColorType == VTK_FLOAT;
-  const Tolerance rounding = isFloat ? Tolerance() : TestRig::WindowTolerance();
+  const Tolerance rounding = isFloat ? Tolerance() : Rig::WindowTolerance();
 
   const std::vector<Layer> layers = Random(41).Layers(9);
   rig.AddStack(layers);
@@ -108,11 +109,11 @@ void CheckFormat(TestReport& report, const Setup& setup, const Format& format)
 }
 
 /// VTK's own framebuffer pass around ours, with half-float and float colours.
-void CheckFramebufferPass(TestReport& report, const Setup& setup)
+void CheckFramebufferPass(Report& report, const Setup& setup)
 {
   for (const int format : { vtkTextureObject::Float16, vtkTextureObject::Float32 })
   {
-    TestRig rig(setup, Width, Height);
+    Rig rig(setup, Width, Height);
     vtkSmartPointer<vtkRenderPass> inner = rig.Renderer->GetPass();
     vtkNew<vtkFramebufferPass> outer;
     outer->SetDelegatePass(inner);
@@ -136,7 +137,7 @@ void CheckFramebufferPass(TestReport& report, const Setup& setup)
 int TestOffscreenFormats(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       if (setup.IsContender) // draws into the window
       {

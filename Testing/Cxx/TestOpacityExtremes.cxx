@@ -3,8 +3,9 @@
 
 // Stress tests 12, 13 and 14: layers of opacity 0, of opacity 1, and thousands of faint layers.
 
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include <cmath>
 
@@ -13,7 +14,7 @@ using namespace vtkOITTest;
 namespace
 {
 /// Layers of opacity 0 in front, behind, between and everywhere change nothing.
-void CheckInvisibleLayers(TestReport& report, TestRig& rig)
+void CheckInvisibleLayers(Report& report, Rig& rig)
 {
   const std::vector<Layer> visible{ { 0.3f, { 0.9f, 0.1f, 0.1f, 0.5f } },
     { 0.5f, { 0.1f, 0.9f, 0.1f, 0.25f } }, { 0.7f, { 0.1f, 0.1f, 0.9f, 0.75f } } };
@@ -37,7 +38,7 @@ void CheckInvisibleLayers(TestReport& report, TestRig& rig)
 }
 
 /// Nothing behind a layer of opacity 1 contributes anything, and alpha is exactly 1.
-void CheckOpaqueLayer(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckOpaqueLayer(Report& report, Rig& rig, const Setup& setup)
 {
   rig.SetBackground(glm::dvec4(0.2, 0.4, 0.6, 0.0));
   for (int position = 0; position < 6; ++position)
@@ -68,7 +69,7 @@ void CheckOpaqueLayer(TestReport& report, TestRig& rig, const Setup& setup)
 }
 
 /// Colours between two halves go to the nearer one: cutting bits off would be twice as wrong.
-void CheckRounding(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckRounding(Report& report, Rig& rig, const Setup& setup)
 {
   const float step = 1.0f / 2048; // of a half in [0.5, 1)
   const std::vector<Layer> layers{ { 0.5f,
@@ -81,7 +82,7 @@ void CheckRounding(TestReport& report, TestRig& rig, const Setup& setup)
 }
 
 /// Opacities that 8 bits cannot hold add up.
-void CheckFaintLayers(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckFaintLayers(Report& report, Rig& rig, const Setup& setup)
 {
   for (const float opacity : { 1.0f / 255, 1.0f / 510, 1.0f / 1024, 1e-6f })
   {
@@ -112,9 +113,9 @@ void CheckFaintLayers(TestReport& report, TestRig& rig, const Setup& setup)
 int TestOpacityExtremes(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
-      TestRig rig(setup, 8, 6);
+      Rig rig(setup, 8, 6);
       report.SetStressTest(12);
       CheckInvisibleLayers(report, rig);
       report.SetStressTest(13);

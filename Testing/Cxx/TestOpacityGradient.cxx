@@ -5,8 +5,9 @@
 // them and among them. In a float32 framebuffer the formula holds in each pixel; in an 8-bit window
 // no step is larger than those of the format.
 
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
@@ -15,6 +16,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <glm/vec2.hpp>
 
 #include <cmath>
 
@@ -26,7 +29,7 @@ constexpr int Width = 4096;
 constexpr int Height = 2;
 
 /// Opacity x / Width at x pixels: scalars of 0 and 255 at the borders, interpolated.
-void AddGradient(TestRig& rig, float depth)
+void AddGradient(Rig& rig, float depth)
 {
   vtkNew<vtkPoints> points;
   vtkNew<vtkUnsignedCharArray> colors;
@@ -47,7 +50,7 @@ void AddGradient(TestRig& rig, float depth)
   rig.AddPolyData(polydata, glm::vec4(1.0f))->ForceTranslucentOn();
 }
 
-void CheckGradient(TestReport& report, TestRig& rig, const Setup& setup, float depth)
+void CheckGradient(Report& report, Rig& rig, const Setup& setup, float depth)
 {
   const std::vector<Layer> layers = EqualLayers(Random(36).Depths(10), { 0.1f, 0.5f, 0.9f, 0.06f });
   rig.RemoveProps();
@@ -60,7 +63,7 @@ void CheckGradient(TestReport& report, TestRig& rig, const Setup& setup, float d
     all.push_back({ depth, { 1.0f, 0.2f, 0.0f, float((x + 0.5) / Width) } });
     expected.push_back(ReferenceCompositor::Composite(all, rig.GetBackground()));
   }
-  const TestReport::Expected formula = [&](int x, int) { return expected[x]; };
+  const Report::Expected formula = [&](int x, int) { return expected[x]; };
   const std::string what = "gradient at depth " + std::to_string(depth);
   // The opacity is interpolated in float32: some steps of 2^-24.
   const Tolerance bound = ReferenceCompositor::RoundingBoundOfAnyStack(11, setup.FragmentStorage) +
@@ -68,7 +71,7 @@ void CheckGradient(TestReport& report, TestRig& rig, const Setup& setup, float d
   report.Compare(what, rig.Render(), formula, bound);
 
   const Image window = rig.RenderWindow();
-  report.Compare(what + ", in the window", window, formula, bound + TestRig::WindowTolerance());
+  report.Compare(what + ", in the window", window, formula, bound + Rig::WindowTolerance());
   if (!setup.HasFetch) // the blend unit rounds source, factor and result: 1.5 steps each way
   {
     return;
@@ -89,10 +92,10 @@ void CheckGradient(TestReport& report, TestRig& rig, const Setup& setup, float d
 int TestOpacityGradient(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       report.SetStressTest(36);
-      TestRig rig(setup, Width, Height);
+      Rig rig(setup, Width, Height);
       for (const float depth : { 0.0625f, 0.5f, 0.9375f })
       {
         CheckGradient(report, rig, setup, depth);

@@ -4,8 +4,9 @@
 // Opaque geometry hides translucent fragments exactly as the depth test would: intersecting,
 // coplanar, with polygon offsets, and for lines and points.
 
-#include "SingleLayer.h"
-#include "TestRandom.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Oracle/SingleLayer.h"
+#include "Scenes/Random.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
@@ -26,7 +27,7 @@ namespace
 const glm::vec4 Blue(0.1f, 0.3f, 0.9f, 1.0f);
 const glm::vec4 Orange(0.9f, 0.5f, 0.1f, 0.375f);
 
-void CheckIntersections(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckIntersections(Report& report, Rig& rig, const Setup& setup)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetRadius(0.6);
@@ -49,7 +50,7 @@ void CheckIntersections(TestReport& report, TestRig& rig, const Setup& setup)
 }
 
 /// Same plane, same depth: the depth test of VTK lets equal depths pass.
-void CheckCoplanar(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckCoplanar(Report& report, Rig& rig, const Setup& setup)
 {
   rig.RemoveProps();
   rig.AddQuad({ 0.5f, Blue });
@@ -63,7 +64,7 @@ void CheckCoplanar(TestReport& report, TestRig& rig, const Setup& setup)
 
 /// An opaque quad in the middle of a stack of more layers than one peel takes: those behind it do
 /// not show, the coplanar one does.
-void CheckMiddleOfStack(TestReport& report, TestRig& rig, const Setup& setup, int count)
+void CheckMiddleOfStack(Report& report, Rig& rig, const Setup& setup, int count)
 {
   std::vector<Layer> layers = Random(count).Layers(count);
   layers.push_back({ 0.5f, Orange });
@@ -94,7 +95,7 @@ void CheckMiddleOfStack(TestReport& report, TestRig& rig, const Setup& setup, in
 }
 
 /// Offsets, which VTK's mappers write to gl_FragDepth, decide between coplanar faces.
-void CheckPolygonOffset(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckPolygonOffset(Report& report, Rig& rig, const Setup& setup)
 {
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
   for (const double units : { -200.0, 200.0 })
@@ -115,7 +116,7 @@ void CheckPolygonOffset(TestReport& report, TestRig& rig, const Setup& setup)
 }
 
 /// Lines and points, partly inside an opaque sphere. Distant from each other: one fragment each.
-void CheckLinesAndPoints(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckLinesAndPoints(Report& report, Rig& rig, const Setup& setup)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetRadius(0.5);
@@ -150,7 +151,7 @@ void CheckLinesAndPoints(TestReport& report, TestRig& rig, const Setup& setup)
 }
 
 /// In the window: with and without samples and stencil, whose depths have other formats.
-void CheckWindows(TestReport& report, const Setup& setup)
+void CheckWindows(Report& report, const Setup& setup)
 {
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
   for (const int samples : { 0, 4 })
@@ -159,7 +160,7 @@ void CheckWindows(TestReport& report, const Setup& setup)
     {
       const std::string what =
         std::to_string(samples) + " samples, stencil " + (stencil ? "on" : "off");
-      TestRig rig(setup, 20, 16);
+      Rig rig(setup, 20, 16);
       rig.Window->SetMultiSamples(samples);
       rig.Window->SetStencilCapable(stencil);
       rig.AddQuad({ 0.5f, Blue });
@@ -173,7 +174,7 @@ void CheckWindows(TestReport& report, const Setup& setup)
         report.Compare(what + (units > 0.0 ? ", behind" : ", in front"), rig.RenderWindow(),
           Everywhere(expected),
           ReferenceCompositor::RoundingBoundOfAnyStack(1, setup.FragmentStorage) +
-            TestRig::WindowTolerance());
+            Rig::WindowTolerance());
       }
     }
   }
@@ -184,10 +185,10 @@ void CheckWindows(TestReport& report, const Setup& setup)
 int TestOpaqueOcclusion(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       report.SetStressTest(10);
-      TestRig rig(setup, 64, 48);
+      Rig rig(setup, 64, 48);
       CheckIntersections(report, rig, setup);
       CheckCoplanar(report, rig, setup);
       CheckPolygonOffset(report, rig, setup);

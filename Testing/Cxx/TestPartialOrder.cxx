@@ -3,7 +3,7 @@
 
 // Levels of things of which some come before others: each on the lowest that can be.
 
-#include "TestReport.h"
+#include "Rig/Report.h"
 
 #include "Private/Auto/vtkOITPartialOrder.h"
 
@@ -28,7 +28,7 @@ struct Case
 
 int TestPartialOrder(int, char*[])
 {
-  TestReport report;
+  Report report;
   report.SetContext("partial order");
   for (const Case& c : std::vector<Case>{
          { "nothing", 0, {}, {} },

@@ -3,7 +3,7 @@
 
 // The list of methods by name, and what each pass starts with.
 
-#include "TestReport.h"
+#include "Rig/Report.h"
 
 #include "vtkOITPass.h"
 #include "vtkOITPassFactory.h"
@@ -17,7 +17,7 @@ using namespace vtkOITTest;
 
 int TestPassFactory(int, char*[])
 {
-  TestReport report;
+  Report report;
   report.SetContext("factory");
   const int count = vtkOITPassFactory::GetNumberOfMethods();
   report.Check(count > 0, "there are no methods");

@@ -4,8 +4,9 @@
 // What a peeling pass says about a frame: geometry passes as its documentation promises, fragments,
 // depth complexity, and a bound for what was cut off that holds.
 
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include "vtkOITBucketPeelingPass.h"
 #include "vtkOITMultiLayerPeelingPass.h"
@@ -46,7 +47,7 @@ int GetLargestNumberOfPasses(const Setup& setup, vtkOITPass* pass, int layers)
   return 4 * layers; // buckets: a peel of at most 4 passes for each layer, if all collide
 }
 
-void CheckCounts(TestReport& report, TestRig& rig, const Setup& setup, int layers)
+void CheckCounts(Report& report, Rig& rig, const Setup& setup, int layers)
 {
   const std::string what = std::to_string(layers) + " layers";
   const std::vector<Layer> stack = Random(50 + layers).Layers(layers);
@@ -81,8 +82,8 @@ void CheckCounts(TestReport& report, TestRig& rig, const Setup& setup, int layer
 }
 
 /// Within the bound that the pass states, and the bound is not an empty one.
-void CheckBound(TestReport& report, TestRig& rig, const Setup& setup,
-  const std::vector<Layer>& layers, const std::string& what, double largestBound)
+void CheckBound(Report& report, Rig& rig, const Setup& setup, const std::vector<Layer>& layers,
+  const std::string& what, double largestBound)
 {
   rig.RemoveProps();
   rig.AddStack(layers);
@@ -97,7 +98,7 @@ void CheckBound(TestReport& report, TestRig& rig, const Setup& setup,
       Tolerance{ bound, bound });
 }
 
-void CheckLimits(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckLimits(Report& report, Rig& rig, const Setup& setup)
 {
   auto* pass = vtkOITPeelingPass::SafeDownCast(rig.Pass);
   const std::vector<Layer> layers = EqualLayers(Random(5).Depths(40), { 0.9f, 0.2f, 0.1f, 0.1f });
@@ -153,9 +154,9 @@ void CheckLimits(TestReport& report, TestRig& rig, const Setup& setup)
 
 /// Frames that differ from the ones before in depth complexity and precision, in one band and in
 /// several: what a pass keeps from frame to frame must not show.
-void CheckChanges(TestReport& report, const Setup& setup, vtkTypeInt64 limit)
+void CheckChanges(Report& report, const Setup& setup, vtkTypeInt64 limit)
 {
-  TestRig rig(setup, 160, 120);
+  Rig rig(setup, 160, 120);
   rig.Pass->SetMaximumBufferSize(limit);
   int frame = 0;
   for (const int layers : { 1, 1, 8, 8, 1, 1, 1, 1, 20, 2, 7 })
@@ -177,7 +178,7 @@ void CheckChanges(TestReport& report, const Setup& setup, vtkTypeInt64 limit)
   }
 }
 
-void CheckLayersPerPass(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckLayersPerPass(Report& report, Rig& rig, const Setup& setup)
 {
   auto* pass = vtkOITMultiLayerPeelingPass::SafeDownCast(rig.Pass);
   if (!pass)
@@ -212,7 +213,7 @@ void CheckLayersPerPass(TestReport& report, TestRig& rig, const Setup& setup)
 }
 
 /// The paper's single shot: of fragments that share a bucket, one or two are captured.
-void CheckSingleShot(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckSingleShot(Report& report, Rig& rig, const Setup& setup)
 {
   auto* pass = vtkOITBucketPeelingPass::SafeDownCast(rig.Pass);
   if (!pass)
@@ -260,9 +261,9 @@ void CheckSingleShot(TestReport& report, TestRig& rig, const Setup& setup)
 int TestPeelingStatistics(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
-      TestRig rig(setup, Width, Height);
+      Rig rig(setup, Width, Height);
       for (const int layers : { 1, 2, 3, 4, 5, 6, 7, 8, 9, 15, 16, 17, 20, 2, 1, 40, 1 })
       {
         CheckCounts(report, rig, setup, layers);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Renders a scene of TestScenes.h with a method and compares it with the baseline:
+// Renders a scene of PictureScenes.h with a method and compares it with the baseline:
 //
 //   TestPictures <method> <scene> -V <baseline> -T <folder for output> [--against-vtk]
 //
@@ -9,9 +9,9 @@
 // from another side before a picture is made a baseline. It accumulates in 8 bits, so a few steps
 // of difference are its own.
 
-#include "ImageComparison.h"
-#include "TestScenes.h"
-#include "TestSetup.h"
+#include "Oracle/ImageComparison.h"
+#include "Rig/Setup.h"
+#include "Scenes/PictureScenes.h"
 
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
@@ -29,7 +29,7 @@ namespace
 constexpr int Size = 300;
 
 Image RenderScene(
-  TestReport& report, const std::string& scene, const std::function<void(vtkRenderer*)>& attach)
+  Report& report, const std::string& scene, const std::function<void(vtkRenderer*)>& attach)
 {
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
@@ -57,7 +57,7 @@ Image RenderScene(
 int TestPictures(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [argc, argv](TestReport& report, const Setup& setup)
+    [argc, argv](Report& report, const Setup& setup)
     {
       if (setup.FragmentStorage != Storage::Half)
       {

@@ -7,7 +7,7 @@
 //     vtkOITCxxTests TestRandomScenes METHOD --seed 1000 --scenes 5000 --folder /tmp
 //     vtkOITCxxTests TestRandomScenes METHOD --replay FILE
 
-#include "SceneRelations.h"
+#include "Oracle/SceneRelations.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -64,7 +64,7 @@ int TestRandomScenes(int argc, char* argv[])
   }
   unsigned int seed = options.Seed;
   return RunTest(argc, argv, Setups::All,
-    [&](TestReport& report, const Setup& setup)
+    [&](Report& report, const Setup& setup)
     {
       RelationRigs rigs(setup);
       for (const Relation& relation : GetRelations())

@@ -3,8 +3,8 @@
 
 // The ray caster itself, against answers that are known without it.
 
-#include "RayCaster.h"
-#include "TestReport.h"
+#include "Oracle/RayCaster.h"
+#include "Rig/Report.h"
 
 #include <glm/geometric.hpp>
 
@@ -32,7 +32,7 @@ Mesh MakeSquare(double z, const glm::vec4& color)
 }
 
 /// 16 pixels a unit, borders of the square on borders of pixels, its diagonal between centres.
-void CheckParallel(TestReport& report)
+void CheckParallel(Report& report)
 {
   RayCaster caster(CastCamera(), 32, 32);
   caster.Add(MakeSquare(0.5, { 1.0f, 0.0f, 0.0f, 0.5f }));
@@ -69,7 +69,7 @@ void CheckParallel(TestReport& report)
 }
 
 /// A square at the eye distance where it fills half of the height; the depth by its definition.
-void CheckPerspective(TestReport& report)
+void CheckPerspective(Report& report)
 {
   CastCamera camera;
   camera.IsParallel = false;
@@ -89,7 +89,7 @@ void CheckPerspective(TestReport& report)
 }
 
 /// A closed mesh is entered and left, and only pixels at its outline are excluded.
-void CheckClosed(TestReport& report)
+void CheckClosed(Report& report)
 {
   for (Mesh mesh : { MakeSphere({ 0.1, 0.0, 0.0 }, 0.7, 14, glm::vec4(0.5f)),
          MakeTorus(glm::vec4(0.5f)), MakeKnot(glm::vec4(0.5f)) })
@@ -112,7 +112,7 @@ void CheckClosed(TestReport& report)
 }
 
 /// Where two triangles cross only the pixels at the crossing are excluded.
-void CheckCrossing(TestReport& report)
+void CheckCrossing(Report& report)
 {
   Mesh left;
   left.Points = { { -3.0f, -3.0f, -0.5f }, { 3.0f, -3.0f, 0.5f }, { 0.0f, 5.0f, 0.0f } };
@@ -139,7 +139,7 @@ void CheckCrossing(TestReport& report)
 
 int TestRayCaster(int, char*[])
 {
-  TestReport report;
+  Report report;
   report.SetContext("ray caster");
   CheckParallel(report);
   CheckPerspective(report);

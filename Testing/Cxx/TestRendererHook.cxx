@@ -3,8 +3,9 @@
 
 // Installing a pass in a renderer that exists, replacing it, and giving the renderer back.
 
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include "vtkCommand.h"
 #include "vtkNew.h"
@@ -19,7 +20,7 @@ using namespace vtkOITTest;
 namespace
 {
 /// Renderer and pass missing: false and one message that says so.
-void CheckErrors(TestReport& report, const Setup& setup)
+void CheckErrors(Report& report, const Setup& setup)
 {
   vtkSmartPointer<vtkOutputWindow> previous = vtkOutputWindow::GetInstance();
   vtkNew<vtkStringOutputWindow> messages;
@@ -38,13 +39,13 @@ void CheckErrors(TestReport& report, const Setup& setup)
   report.Check(!vtkOITRendererHook::Uninstall(renderer), "uninstalled from a fresh renderer");
 }
 
-void CheckCycle(TestReport& report, const Setup& setup)
+void CheckCycle(Report& report, const Setup& setup)
 {
   const std::vector<Layer> layers = Random(51).Layers(8);
-  TestRig rig(setup, 16, 12);
+  Rig rig(setup, 16, 12);
   setup.Detach(rig.Renderer);
   rig.AddStack(layers);
-  const TestReport::Expected expected =
+  const Report::Expected expected =
     Everywhere(ReferenceCompositor::Composite(layers, rig.GetBackground()));
   const Tolerance bound =
     ReferenceCompositor::RoundingBound(layers, rig.GetBackground(), setup.FragmentStorage);
@@ -83,7 +84,7 @@ void CheckCycle(TestReport& report, const Setup& setup)
   // The window goes away while a pass is installed, and the pass outlives it.
   vtkSmartPointer<vtkOITPass> survivor = setup.CreatePass();
   {
-    TestRig other(setup, 16, 12);
+    Rig other(setup, 16, 12);
     vtkOITRendererHook::Install(other.Renderer, survivor);
     other.AddStack(layers);
     report.Compare("in another window", other.Render(), expected, bound);
@@ -96,7 +97,7 @@ void CheckCycle(TestReport& report, const Setup& setup)
 int TestRendererHook(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       CheckErrors(report, setup);
       CheckCycle(report, setup);

@@ -4,8 +4,9 @@
 // Several renderers in a window, side by side and in layers, with a pass each and with one pass
 // for all of them.
 
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -21,7 +22,7 @@ constexpr int Width = 48;
 constexpr int Height = 20;
 
 /// A stack of layers over the whole viewport of a renderer.
-void AddStackTo(TestRig& rig, vtkRenderer* renderer, const std::vector<Layer>& layers)
+void AddStackTo(Rig& rig, vtkRenderer* renderer, const std::vector<Layer>& layers)
 {
   for (const Layer& layer : layers)
   {
@@ -35,10 +36,10 @@ void AddStackTo(TestRig& rig, vtkRenderer* renderer, const std::vector<Layer>& l
   }
 }
 
-void CheckRenderers(TestReport& report, const Setup& setup, bool share)
+void CheckRenderers(Report& report, const Setup& setup, bool share)
 {
   const std::string what = share ? "one pass for all" : "a pass each";
-  TestRig rig(setup, Width, Height);
+  Rig rig(setup, Width, Height);
   rig.Window->SetNumberOfLayers(2);
   rig.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
   const glm::dvec4 leftBackground = rig.GetBackground();
@@ -70,14 +71,14 @@ void CheckRenderers(TestReport& report, const Setup& setup, bool share)
 
   const glm::dvec4 left = ReferenceCompositor::Composite(leftLayers, leftBackground);
   const glm::dvec4 rightColor = ReferenceCompositor::Composite(rightLayers, rightBackground);
-  const TestReport::Expected expected = [&](int x, int y)
+  const Report::Expected expected = [&](int x, int y)
   {
     const glm::dvec4 below = x < Width / 2 ? left : rightColor;
     return y < Height / 2 ? below : ReferenceCompositor::Composite(topLayers, below);
   };
   // The lower layer's picture is rounded to 8 bits before the upper layer is drawn on it.
   const Tolerance bound = ReferenceCompositor::RoundingBoundOfAnyStack(12, setup.FragmentStorage) +
-    TestRig::WindowTolerance() + Tolerance{ 1.0 / 255, 1.0 / 255 };
+    Rig::WindowTolerance() + Tolerance{ 1.0 / 255, 1.0 / 255 };
   for (int frame = 0; frame < 3; ++frame)
   {
     report.Compare(what + ", frame " + std::to_string(frame), rig.RenderWindow(), expected, bound);
@@ -95,7 +96,7 @@ void CheckRenderers(TestReport& report, const Setup& setup, bool share)
 int TestRenderers(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       report.SetStressTest(28);
       CheckRenderers(report, setup, false);

@@ -4,8 +4,9 @@
 // The window changes its size between frames: every size is right, and a size seen before gives
 // the same bits again.
 
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include <map>
 
@@ -14,10 +15,10 @@ using namespace vtkOITTest;
 namespace
 {
 /// With limited memory, textures have the size of what is drawn, and are made anew as it grows.
-void CheckGrowth(TestReport& report, const Setup& setup)
+void CheckGrowth(Report& report, const Setup& setup)
 {
   const std::vector<Layer> layers = Random(18).Layers(9);
-  TestRig rig(setup, 96, 96);
+  Rig rig(setup, 96, 96);
   rig.Pass->SetMaximumBufferSize(64 << 20);
   const glm::dvec4 background = rig.GetBackground();
   const glm::dvec4 inside = ReferenceCompositor::Composite(layers, background);
@@ -40,11 +41,11 @@ void CheckGrowth(TestReport& report, const Setup& setup)
 int TestResize(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       CheckGrowth(report, setup);
       const std::vector<Layer> layers = Random(17).Layers(12);
-      TestRig rig(setup, 64, 64);
+      Rig rig(setup, 64, 64);
       const glm::dvec4 background = rig.GetBackground();
       const Tolerance bound =
         ReferenceCompositor::RoundingBound(layers, background, setup.FragmentStorage);
@@ -64,14 +65,14 @@ int TestResize(int argc, char* argv[])
         {
           rig.AddQuad(layer, rectangle);
         }
-        const TestReport::Expected expected = [&](int x, int y)
+        const Report::Expected expected = [&](int x, int y)
         { return rectangle.Contains(x, y) ? inside : background; };
         const Image image = rig.Render();
         report.Check(image.Width == size.first && image.Height == size.second,
           what + ": the target has another size");
         report.Compare(what, image, expected, bound);
-        report.Compare(what + " in the window", rig.RenderWindow(), expected,
-          bound + TestRig::WindowTolerance());
+        report.Compare(
+          what + " in the window", rig.RenderWindow(), expected, bound + Rig::WindowTolerance());
         const auto first = seen.emplace(size, image);
         report.CompareBits(what + " again", image, first.first->second);
       }

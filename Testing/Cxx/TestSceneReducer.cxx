@@ -4,8 +4,8 @@
 // What happens when a relation does not hold: the scene is reduced to the props that matter, saved,
 // and fails again when it is read back. With comparators that are wrong on purpose.
 
-#include "SceneReducer.h"
-#include "SceneRelations.h"
+#include "Oracle/SceneReducer.h"
+#include "Oracle/SceneRelations.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -29,7 +29,7 @@ std::vector<int> ReduceNumbers(int count, const std::vector<int>& needed, int* e
     });
 }
 
-void CheckNumbers(TestReport& report)
+void CheckNumbers(Report& report)
 {
   int evaluations = 0;
   for (const std::vector<int>& needed :
@@ -45,14 +45,14 @@ void CheckNumbers(TestReport& report)
 }
 
 /// Whether it fails for an odd number of items only: one is left, whatever it is.
-void CheckParity(TestReport& report)
+void CheckParity(Report& report)
 {
   const std::vector<int> left = Reduce<int>(
     { 1, 2, 3, 4, 5, 6, 7 }, [](const std::vector<int>& items) { return items.size() % 2 == 1; });
   report.Check(left.size() == 1 || left.size() == 7, "parity: " + std::to_string(left.size()));
 }
 
-void CheckFiles(TestReport& report, const std::string& folder)
+void CheckFiles(Report& report, const std::string& folder)
 {
   for (const SceneKind kind : { SceneKind::Aligned, SceneKind::General })
   {
@@ -88,7 +88,7 @@ Claim ClaimWrongly(RelationRigs&, const Scene& scene)
   return { hasSphere && hasTriangle ? white : black, black, {} };
 }
 
-void CheckBrokenComparator(TestReport& report, const std::string& folder)
+void CheckBrokenComparator(Report& report, const std::string& folder)
 {
   Scene scene;
   for (unsigned int seed = 1; scene.Props.size() < 12; ++seed)
@@ -103,7 +103,7 @@ void CheckBrokenComparator(TestReport& report, const std::string& folder)
     folder + "/abuffer-wrong-on-purpose-" + std::to_string(scene.Seed) + ".scene";
   std::remove(file.c_str());
   std::printf("The failures that follow are wanted:\n");
-  TestReport inner;
+  Report inner;
   inner.SetContext("broken comparator");
   CheckRelation(inner, rigs, broken, scene, folder);
   report.Check(inner.GetExitStatus() != 0, "the broken comparator passes");
@@ -120,7 +120,7 @@ void CheckBrokenComparator(TestReport& report, const std::string& folder)
 int TestSceneReducer(int argc, char* argv[])
 {
   const std::string folder = argc > 1 && argv[1][0] != '\0' && argv[1][0] != '-' ? argv[1] : ".";
-  TestReport report;
+  Report report;
   report.SetContext("scene reducer");
   CheckNumbers(report);
   CheckParity(report);

@@ -5,8 +5,8 @@
 // exception is adaptive bucket peeling, whose histogram has integer outputs: there mappers look
 // their shaders up anew twice a peel, among the programs that the window's cache holds already.
 
-#include "TestGL.h"
-#include "TestRig.h"
+#include "Rig/GLObjects.h"
+#include "Rig/Rig.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -46,7 +46,7 @@ vtkStandardNewMacro(CountingMapper);
 
 constexpr int NumberOfProps = 5;
 
-void AddSpheres(TestRig& rig)
+void AddSpheres(Rig& rig)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetRadius(0.5);
@@ -68,9 +68,9 @@ void AddSpheres(TestRig& rig)
 int TestShaderReuse(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
-      TestRig rig(setup, 64, 48);
+      Rig rig(setup, 64, 48);
       AddSpheres(rig);
       NumberOfBuilds = 0;
       rig.Window->Render();

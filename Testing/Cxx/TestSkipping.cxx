@@ -5,8 +5,9 @@
 // the pass states, with alpha exact and with the layers in front of it; the threshold skips no more
 // than it says; what only saves time changes no bit.
 
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include "vtkOITBucketPeelingPass.h"
 #include "vtkOITMultiLayerPeelingPass.h"
@@ -36,7 +37,7 @@ std::vector<Layer> MakeLayers(unsigned int seed, int count, float opacity)
 }
 
 /// An opaque quad in the middle, over half of the viewport, and the layers in random order.
-void AddScene(TestRig& rig, std::vector<Layer> layers)
+void AddScene(Rig& rig, std::vector<Layer> layers)
 {
   rig.RemoveProps();
   rig.AddQuad({ 0.55f, { 0.1f, 0.3f, 0.9f, 1.0f } }, { 0.0, 0.0, Width / 2.0, double(Height) });
@@ -44,7 +45,7 @@ void AddScene(TestRig& rig, std::vector<Layer> layers)
   rig.AddStack(layers);
 }
 
-TestReport::Expected Reference(const TestRig& rig, const std::vector<Layer>& layers)
+Report::Expected Reference(const Rig& rig, const std::vector<Layer>& layers)
 {
   std::vector<Layer> visible;
   std::copy_if(layers.begin(), layers.end(), std::back_inserter(visible),
@@ -57,7 +58,7 @@ TestReport::Expected Reference(const TestRig& rig, const std::vector<Layer>& lay
 
 /// 29: few peels. Alpha is exact: what is cut off counts as one group. With all but the outermost
 /// layers of one colour the colour is exact too, so those in front are peeled rightly.
-void CheckLimitedPeels(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckLimitedPeels(Report& report, Rig& rig, const Setup& setup)
 {
   auto* pass = vtkOITPeelingPass::SafeDownCast(rig.Pass);
   // Dual: from each side, at least 1 a peel, and 3 with half floats where it keeps layers.
@@ -87,7 +88,7 @@ void CheckLimitedPeels(TestReport& report, TestRig& rig, const Setup& setup)
 
     AddScene(rig, alike);
     const Image front = rig.Render();
-    const TestReport::Expected expected = Reference(rig, alike);
+    const Report::Expected expected = Reference(rig, alike);
     report.Compare(
       what + ", those that are left of one colour", front,
       [&](int x, int y)
@@ -106,7 +107,7 @@ void CheckLimitedPeels(TestReport& report, TestRig& rig, const Setup& setup)
 /// 30: black layers until T is at most the threshold, then white ones, which are skipped, or some
 /// of them peeled along with the black ones. The error is what was skipped, never more than the
 /// threshold.
-void CheckThreshold(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckThreshold(Report& report, Rig& rig, const Setup& setup)
 {
   auto* pass = vtkOITPeelingPass::SafeDownCast(rig.Pass);
   for (const double threshold : { 0.0, 1.0 / 512, 1.0 / 64, 0.1 })
@@ -148,7 +149,7 @@ void CheckThreshold(TestReport& report, TestRig& rig, const Setup& setup)
 
 /// 34: the same bits with and without occlusion queries, in bands, and in the next frames, which
 /// skip what the last frame did not need; within rounding with other properties of a method.
-void CheckSameResult(TestReport& report, TestRig& rig, const Setup& setup)
+void CheckSameResult(Report& report, Rig& rig, const Setup& setup)
 {
   auto* pass = vtkOITPeelingPass::SafeDownCast(rig.Pass);
   const std::vector<Layer> layers = MakeLayers(34, 20, 0.3f);
@@ -187,9 +188,9 @@ void CheckSameResult(TestReport& report, TestRig& rig, const Setup& setup)
 int TestSkipping(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
-      TestRig rig(setup, Width, Height);
+      Rig rig(setup, Width, Height);
       report.SetStressTest(29);
       CheckLimitedPeels(report, rig, setup);
       report.SetStressTest(30);

@@ -4,7 +4,8 @@
 // Stress test 20: a quad cut into a million triangles smaller than a pixel covers each of its
 // pixels exactly once.
 
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"
@@ -18,7 +19,7 @@ namespace
 constexpr int Cells = 708; // on a side: 2 * 708^2 triangles are 1.0e6
 
 vtkSmartPointer<vtkPolyData> MakeSheet(
-  const TestRig& rig, const PixelRectangle& rectangle, double depth)
+  const Rig& rig, const PixelRectangle& rectangle, double depth)
 {
   vtkNew<vtkPoints> points;
   points->SetNumberOfPoints(vtkIdType(Cells + 1) * (Cells + 1));
@@ -50,10 +51,10 @@ vtkSmartPointer<vtkPolyData> MakeSheet(
 int TestTessellation(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       report.SetStressTest(20);
-      TestRig rig(setup, 64, 48);
+      Rig rig(setup, 64, 48);
       // Edges on borders of pixels, so that no pixel centre lies on one.
       const PixelRectangle rectangle{ 5.0, 7.0, 59.0, 41.0 };
       const Layer layer{ 0.5f, { 0.9f, 0.2f, 0.4f, 0.375f } };

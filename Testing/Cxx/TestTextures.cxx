@@ -3,7 +3,8 @@
 
 // Textures with alpha: each texel has its own opacity, and texels of alpha 0 are not there.
 
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
 
 #include "vtkActor.h"
 #include "vtkFloatArray.h"
@@ -65,7 +66,7 @@ glm::vec4 GetTexel(const Texels& texels, int x, int y)
 int TestTextures(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       const Texels front{ { { { 255, 0, 0, 0 } }, { { 200, 30, 10, 64 } }, { { 10, 220, 30, 128 } },
         { { 250, 240, 20, 255 } } } };
@@ -74,7 +75,7 @@ int TestTextures(int argc, char* argv[])
       const glm::vec4 white(1.0f, 1.0f, 1.0f, 1.0f);
       for (const bool frontFirst : { true, false })
       {
-        TestRig rig(setup, Width, Height);
+        Rig rig(setup, Width, Height);
         for (const bool isFront : { frontFirst, !frontFirst })
         {
           AddTexture(rig.AddQuad({ isFront ? 0.25f : 0.75f, white }), isFront ? front : back);

@@ -4,8 +4,9 @@
 // Stress test 28: odd sizes, and viewports with an offset in a larger window: the picture is the
 // one of a window of the viewport's size, and nothing outside the viewport changes.
 
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include "vtkActor.h"
 #include "vtkNew.h"
@@ -18,27 +19,27 @@ using namespace vtkOITTest;
 
 namespace
 {
-void CheckOddSizes(TestReport& report, const Setup& setup)
+void CheckOddSizes(Report& report, const Setup& setup)
 {
   const std::vector<Layer> layers = Random(23).Layers(6);
   const std::pair<int, int> sizes[] = { { 1, 1 }, { 3, 7 }, { 257, 129 } };
   for (const auto& size : sizes)
   {
-    TestRig rig(setup, size.first, size.second);
+    Rig rig(setup, size.first, size.second);
     rig.AddStack(layers);
-    const TestReport::Expected expected =
+    const Report::Expected expected =
       Everywhere(ReferenceCompositor::Composite(layers, rig.GetBackground()));
     const Tolerance bound =
       ReferenceCompositor::RoundingBound(layers, rig.GetBackground(), setup.FragmentStorage);
     const std::string what = std::to_string(size.first) + "x" + std::to_string(size.second);
     report.Compare(what, rig.Render(), expected, bound);
     report.Compare(
-      what + " in the window", rig.RenderWindow(), expected, bound + TestRig::WindowTolerance());
+      what + " in the window", rig.RenderWindow(), expected, bound + Rig::WindowTolerance());
   }
 }
 
 /// Spheres and an opaque one, which have a different picture in each pixel.
-void AddScene(vtkRenderer* renderer, TestRig& rig)
+void AddScene(vtkRenderer* renderer, Rig& rig)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetRadius(0.5);
@@ -59,14 +60,14 @@ void AddScene(vtkRenderer* renderer, TestRig& rig)
 }
 
 /// A renderer with a viewport of 60 x 40 pixels at (30, 20), over one that fills the window.
-void CheckOffset(TestReport& report, const Setup& setup)
+void CheckOffset(Report& report, const Setup& setup)
 {
-  TestRig plain(setup, 60, 40);
+  Rig plain(setup, 60, 40);
   plain.SetBackground(glm::dvec4(0.2, 0.4, 0.6, 1.0));
   AddScene(plain.Renderer, plain);
   const Image expected = plain.RenderWindow();
 
-  TestRig rig(setup, 120, 80);
+  Rig rig(setup, 120, 80);
   rig.Window->SetNumberOfLayers(2);
   rig.SetBackground(glm::dvec4(1.0, 0.0, 1.0, 1.0));
   vtkNew<vtkRenderer> inner;
@@ -101,7 +102,7 @@ void CheckOffset(TestReport& report, const Setup& setup)
 int TestViewports(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
       report.SetStressTest(28);
       CheckOddSizes(report, setup);

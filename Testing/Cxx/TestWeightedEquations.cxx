@@ -3,8 +3,8 @@
 
 // The previews give exactly what their equations say, and say that they are not exact.
 
-#include "TestRandom.h"
-#include "TestRig.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
 
 #include <cmath>
 
@@ -42,9 +42,9 @@ glm::dvec4 Evaluate(
 int TestWeightedEquations(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::All,
-    [](TestReport& report, const Setup& setup)
+    [](Report& report, const Setup& setup)
     {
-      TestRig rig(setup, 12, 8);
+      Rig rig(setup, 12, 8);
       for (const int count : { 1, 2, 3, 8, 40 })
       {
         std::vector<Layer> layers = Random(count).Layers(count);
