@@ -12,7 +12,7 @@ import mmap
 import os
 import signal
 
-# What asks a process to end.
+# What asks a process to end; what is ignored here, as by nohup, stays so.
 FORWARDED = (signal.SIGTERM, signal.SIGHUP, signal.SIGINT, signal.SIGQUIT)
 _SET_DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG of Linux's prctl
 _NOTE_BYTES = 4096
@@ -38,13 +38,14 @@ def run(work, read_timeout):
     to end go on to the child. Raises Ended.
     """
     note = mmap.mmap(-1, _NOTE_BYTES)
-    signal.pthread_sigmask(signal.SIG_BLOCK, FORWARDED)
+    forwarded = [number for number in FORWARDED if signal.getsignal(number) != signal.SIG_IGN]
+    signal.pthread_sigmask(signal.SIG_BLOCK, forwarded)
     parent = os.getpid()
     child = os.fork()
     if child == 0:
         status = 1
         try:
-            _become_child(parent, note, read_timeout)
+            _become_child(parent, note, read_timeout, forwarded)
             status = work()
         finally:
             os._exit(status)
@@ -52,8 +53,8 @@ def run(work, read_timeout):
     def forward(number, _frame):
         os.kill(child, number)
 
-    before = {number: signal.signal(number, forward) for number in FORWARDED}
-    signal.pthread_sigmask(signal.SIG_UNBLOCK, FORWARDED)
+    before = {number: signal.signal(number, forward) for number in forwarded}
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, forwarded)
     try:
         _, status = os.waitpid(child, 0)
     finally:
@@ -64,17 +65,17 @@ def run(work, read_timeout):
     return os.WEXITSTATUS(status)
 
 
-def _become_child(parent, note, read_timeout):
+def _become_child(parent, note, read_timeout, forwarded):
     global _note, _limit  # pylint: disable=global-statement
     _note, _limit = note, read_timeout
     # Python's own handlers would wait for the end of C++ code.
-    for number in (*FORWARDED, signal.SIGALRM):
+    for number in (*forwarded, signal.SIGALRM):
         signal.signal(number, signal.SIG_DFL)
     with contextlib.suppress(OSError, AttributeError):
         ctypes.CDLL(None).prctl(_SET_DEATH_SIGNAL, signal.SIGKILL)
     if os.getppid() != parent:  # it ended before it could be told to take the child along
         os._exit(1)
-    signal.pthread_sigmask(signal.SIG_UNBLOCK, FORWARDED)
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, forwarded)
 
 
 @contextlib.contextmanager

@@ -2,9 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Standard output and error of the command line, also where they are closed, full, or another encoding."""
 
+import codecs
 import io
 import os
 import sys
+
+from .errors import printable
 
 
 class _Output(io.FileIO):
@@ -23,6 +26,12 @@ class _Output(io.FileIO):
             return len(data)
 
 
+def _escape(error):
+    text = printable(error.object[error.start:error.end])
+    return text.encode("ascii", "backslashreplace").decode("ascii"), error.end
+
+
+codecs.register_error("vtkoit", _escape)
 _output = None
 
 
@@ -41,7 +50,7 @@ def prepare():
     # Writing to what is open for reading fails, as it does where there is nothing.
     encoding = sys.stdout.encoding if sys.stdout else "utf-8"
     _output = _Output(1, "w", closefd=False)
-    sys.stdout = io.TextIOWrapper(io.BufferedWriter(_output), encoding, "backslashreplace",
+    sys.stdout = io.TextIOWrapper(io.BufferedWriter(_output), encoding, "vtkoit",
                                   line_buffering=_output.isatty())
     if sys.stderr is None:
         sys.stderr = open(2, "w", encoding="utf-8", errors="backslashreplace", closefd=False)
