@@ -156,9 +156,19 @@ class TestErrors(Support.FolderTest):
                 ("--camera", "0,0,0", "--camera"), ("--camera", "1,1,1,1,1,1,0,0,1", "the same"),
                 ("--up", "w", "--up w"), ("--zoom", "0", "range"), ("--range", "3,1", "LOW,HIGH"),
                 ("--samples", "99", "0 .none. to 16"), ("--spacing", "1,2", "X,Y,Z"),
-                ("--raw", "8x8", "TYPE"), ("--smooth", "-1", "--smooth")):
+                ("--raw", "8x8", "TYPE"), ("--smooth", "-1", "--smooth"),
+                ("--size", "5\xb2x50", "WIDTHxHEIGHT"), ("--size", "9" * 5000 + "x9", "WIDTHxHEIGHT"),
+                ("--raw", "9" * 30 + "x3:uint8", "TYPE"), ("--zoom", "\xb2", "not a number"),
+                ("--labels", "100.7", "100.7 is not a whole number"), ("--labels", "1e10", "range"),
+                ("--labels", "1,2.5", "2.5 is not a whole number")):
             with self.subTest(option=option, value=value):
                 self.render_fails("a.vtp", option, value, text=text)
+
+    def test_no_value(self):
+        for option in ("--size", "--camera", "--zoom", "--method", "--set", "--samples", "--opacity",
+                       "--read-timeout"):
+            self.render_fails("a.vtp", option + "=--", text="%s: a value is missing" % option)
+        self.render_fails("a.vtp", "--read-timeout=--", text="a value is missing", here=False)
 
     def test_isosurface(self):
         Support.write_volume(self.path("a.vti"))

@@ -104,6 +104,9 @@ class TestRender(Support.FolderTest):
             self.assertGreater(pixels.std(), 3.0, camera)
             pictures.append(pixels.tobytes())
         self.assertEqual(len(set(pictures)), len(pictures))
+        for camera in ("1e300,2e300,3e300", "1e-320,2e-320,3e-320"):  # lengths do not matter
+            pixels, _ = self.render("a.vti", "--isosurface", "150", "--camera", camera)
+            self.assertGreater(pixels.std(), 3.0, camera)
         self.render("a.vti", "--isosurface", "150", "--camera", "-1,0,0", "--up", "-z",
                     "--parallel", "--zoom", "2")
 

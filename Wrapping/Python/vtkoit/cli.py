@@ -9,7 +9,7 @@ import traceback
 
 from . import child, streams
 from .errors import Error, one_line
-from .options import check_text, joined, parser
+from .options import check, joined, parser
 from .values import parse_numbers
 from .version import PYTHON_VERSION
 
@@ -32,13 +32,13 @@ def main(prog="vtkoit", arguments=None):
         status = leave.code or 0
         return _guarded(prog, lambda: status)
     options.name = "%s %s" % (prog, options.command)
-    if own and options.command in _ISOLATED and hasattr(os, "fork"):
-        return _guarded(options.name, lambda: _isolated(options))
-    return _guarded(options.name, lambda: _run(options))
+    isolated = own and options.command in _ISOLATED and hasattr(os, "fork")
+    return _guarded(options.name, lambda: _isolated(options) if isolated else _run(options))
 
 
 def _isolated(options):
     """Runs a command in a child process; the exit status. Raises Error."""
+    check(options)
     limit = parse_numbers("--read-timeout", [options.read_timeout], 0.0, 1e6)[0]
     try:
         return child.run(lambda: _guarded(options.name, lambda: _run(options)), limit)
@@ -100,7 +100,7 @@ def _run(options):
     """Runs a command in this process; 0. Raises Error."""
     from .progress import Progress
 
-    check_text(options)
+    check(options)
     progress = Progress()
     try:
         if options.command == "info":

@@ -142,5 +142,5 @@ def one_line(error):
     text = "".join(c if c.isprintable() and c != "\ufffd" else " " for c in text)
     text = " ".join(text.split())
     if len(text) > 600:
-        text = text[:600] + " ..."
+        text = text[:300] + " ... " + text[-300:]
     return text or type(error).__name__

@@ -220,11 +220,14 @@ def joined(arguments):
 _PATHS = ("inputs", "output", "scenes", "document")
 
 
-def check_text(options):
-    """Raises Error for what VTK could not take as text: bytes that are not of the locale's encoding,
-    but for names of files. options: argparse.Namespace."""
+def check(options):
+    """Raises Error for what no command could use: no value, as argparse makes of --name=--, or bytes
+    that are not of the locale's encoding, but for names of files. options: argparse.Namespace."""
     for name, value in vars(options).items():
+        option = "--" + name.replace("_", "-")
+        if value == [] and name != "labels" or isinstance(value, list) and [] in value:
+            raise Error("%s: a value is missing" % option)
         for text in value if isinstance(value, list) else [value]:
             if isinstance(text, str) and name not in _PATHS and printable(text) != text:
-                raise Error("--%s %s: is not text in the encoding of this terminal"
-                            % (name.replace("_", "-"), printable(text)))
+                raise Error("%s %s: is not text in the encoding of this terminal"
+                            % (option, printable(text)))

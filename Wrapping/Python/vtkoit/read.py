@@ -199,7 +199,7 @@ one slice a file), type (int, VTK's number) and big_endian (bool)."""
 
 def parse_raw(text):
     """RawFormat of a str like 64x64x93:uint16, :big at its end for big-endian. Raises Error."""
-    match = re.fullmatch(r"(\d+)x(\d+)(?:x(\d+))?:(\w+)(?::(big|little))?", text)
+    match = re.fullmatch(r"([0-9]{1,9})x([0-9]{1,9})(?:x([0-9]{1,9}))?:(\w+)(?::(big|little))?", text)
     if not match or match.group(4) not in _TYPES or \
             any(int(n) < 1 for n in match.groups()[:3] if n):
         raise Error("--raw %s: give WIDTHxHEIGHT[xDEPTH]:TYPE[:big], TYPE one of %s"
