@@ -19,27 +19,8 @@
 #include "vtkRenderer.h"
 #include "vtkTranslucentPass.h"
 
-#include <algorithm>
-#include <iterator>
 #include <set>
 #include <utility>
-
-namespace
-{
-/// The props of the state that the delegate would draw as translucent.
-std::vector<vtkProp*> FindTranslucentProps(const vtkRenderState* state)
-{
-  vtkProp** first = state->GetPropArray();
-  std::vector<vtkProp*> props;
-  std::copy_if(first, first + state->GetPropArrayCount(), std::back_inserter(props),
-    [state](vtkProp* prop)
-    {
-      return prop->GetVisibility() && prop->HasTranslucentPolygonalGeometry() &&
-        prop->HasKeys(state->GetRequiredKeys());
-    });
-  return props;
-}
-}
 
 //------------------------------------------------------------------------------
 class vtkOITPass::Internals
@@ -63,7 +44,7 @@ public:
 
   std::unique_ptr<vtkOITEngine> Engine; // of the subclass's method, may be nullptr
   vtkOITPlanRunner Runner;
-  vtkOITStatistics Statistics; // of the last frame
+  vtkOITStatistics Statistics;                      // of the last frame
   std::unique_ptr<vtkOITCapabilities> Capabilities; // of CapabilitiesWindow
   vtkOpenGLRenderWindow* CapabilitiesWindow = nullptr;
   std::set<std::string> Reported; // so that each line is printed once, not every frame
@@ -155,7 +136,7 @@ void vtkOITPass::Render(const vtkRenderState* state)
     this->NumberOfRenderedProps = this->TranslucentPass->GetNumberOfRenderedProps();
     return;
   }
-  std::vector<vtkProp*> props = FindTranslucentProps(state);
+  std::vector<vtkProp*> props = vtkOITFindTranslucentProps(state);
   if (props.empty())
   {
     return;
@@ -186,8 +167,7 @@ void vtkOITPass::Draw(const vtkRenderState* state, std::vector<vtkProp*> props)
   frame.Viewport = saved.GetViewport();
   frame.Props = std::move(props);
   frame.Extents = vtkOITFindScreenExtents(frame.Renderer, frame.Props, frame.Viewport);
-  frame.Rectangle =
-    vtkOITFindScreenRectangle(frame.Extents).Intersect(saved.GetDrawnRectangle());
+  frame.Rectangle = vtkOITFindScreenRectangle(frame.Extents).Intersect(saved.GetDrawnRectangle());
   if (frame.Rectangle.IsEmpty())
   {
     return;

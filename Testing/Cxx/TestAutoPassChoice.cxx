@@ -111,7 +111,8 @@ void CheckNames(Report& report, const Setup& setup)
   rig.AddQuad({ 0.5f, { 0.5f, 0.6f, 0.7f, 0.5f } });
   rig.Render();
   CheckEqual(report, "algorithm of a quad", rig.Pass->GetAlgorithmName(), "ordered blending");
-  CheckEqual(report, "choice", GetPass(rig)->GetAlgorithmReason(), "the order of all props is known");
+  CheckEqual(
+    report, "choice", GetPass(rig)->GetAlgorithmReason(), "the order of all props is known");
 
   // Sorted and blended props in one frame.
   rig.RemoveProps();

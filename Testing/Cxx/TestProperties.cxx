@@ -31,6 +31,7 @@ class Listener
 {
 public:
   explicit Listener(vtkObject* object)
+    : Object(object)
   {
     this->Command->SetClientData(this);
     this->Command->SetCallback(
@@ -42,17 +43,21 @@ public:
     object->AddObserver(vtkCommand::ErrorEvent, this->Command);
     object->AddObserver(vtkCommand::WarningEvent, this->Command);
   }
+  ~Listener() { this->Object->RemoveObserver(this->Command); }
+  Listener(const Listener&) = delete;
+  Listener& operator=(const Listener&) = delete;
+
   int Count = 0;
   std::string Text;
 
 private:
+  vtkObject* Object;
   vtkNew<vtkCallbackCommand> Command;
 };
 
 /// `set` must be refused in one line that names the property.
 void CheckRefused(Report& report, vtkObject* object, const std::string& what,
-  const std::string& property, const std::function<void()>& set,
-  const std::function<double()>& get)
+  const std::string& property, const std::function<void()>& set, const std::function<double()>& get)
 {
   const double before = get();
   const vtkMTimeType time = object->GetMTime();

@@ -110,8 +110,8 @@ vtkOITFailure vtkOITABufferResolver::Resolve(const vtkOITFrame& frame, vtkOITFra
 
 //------------------------------------------------------------------------------
 // The pixels that the networks have left.
-vtkOITFailure vtkOITABufferResolver::DrawWhatIsLeft(const vtkOITFrame& frame,
-  vtkOITFragmentStore& store, vtkOITFragmentStore::Counters& counters)
+vtkOITFailure vtkOITABufferResolver::DrawWhatIsLeft(
+  const vtkOITFrame& frame, vtkOITFragmentStore& store, vtkOITFragmentStore::Counters& counters)
 {
   vtkOITFailure failure;
   counters = store.ReadCounters();
@@ -198,13 +198,13 @@ std::vector<vtkOITABufferResolver::TileDraw> vtkOITABufferResolver::FindDraws(
 
 //------------------------------------------------------------------------------
 // All programs before the first draw, so that nothing or all is drawn.
-vtkOITFailure vtkOITABufferResolver::DrawExpected(const vtkOITFrame& frame,
-  const vtkOITFragmentStore& store, const std::vector<TileDraw>& draws)
+vtkOITFailure vtkOITABufferResolver::DrawExpected(
+  const vtkOITFrame& frame, const vtkOITFragmentStore& store, const std::vector<TileDraw>& draws)
 {
   for (const TileDraw& draw : draws)
   {
-    if (vtkOITFailure failure = draw.Stage->Prepare(
-          frame.Window, GetTileVertexShader().c_str(), draw.GetFragmentShader))
+    if (vtkOITFailure failure =
+          draw.Stage->Prepare(frame.Window, GetTileVertexShader().c_str(), draw.GetFragmentShader))
     {
       return failure;
     }

@@ -60,10 +60,10 @@ private:
     std::function<std::string()> GetFragmentShader;
   };
   std::vector<TileDraw> FindDraws(const std::vector<std::uint32_t>& expected);
-  vtkOITFailure DrawExpected(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
-    const std::vector<TileDraw>& draws);
-  vtkOITFailure DrawWhatIsLeft(const vtkOITFrame& frame, vtkOITFragmentStore& store,
-    vtkOITFragmentStore::Counters& counters);
+  vtkOITFailure DrawExpected(
+    const vtkOITFrame& frame, const vtkOITFragmentStore& store, const std::vector<TileDraw>& draws);
+  vtkOITFailure DrawWhatIsLeft(
+    const vtkOITFrame& frame, vtkOITFragmentStore& store, vtkOITFragmentStore::Counters& counters);
   vtkOITFailure DrawLists(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
     vtkOITFragmentStore::Counters& counters, const std::array<int, 2>& tileClass);
   vtkOITFailure DrawTiles(vtkOITScreenStage& stage, const vtkOITFrame& frame,

@@ -19,7 +19,8 @@ constexpr std::int64_t BytesPerTexel = 16; // of the pool as a buffer texture, G
 
 constexpr GLsizeiptr GetCounterBytes(int tiles)
 {
-  return static_cast<GLsizeiptr>(sizeof(std::uint32_t)) * (OIT_COUNTER_WORDS + OIT_TILE_WORDS * tiles);
+  return static_cast<GLsizeiptr>(sizeof(std::uint32_t)) *
+    (OIT_COUNTER_WORDS + OIT_TILE_WORDS * tiles);
 }
 
 constexpr GLsizeiptr GetExpectedBytes(int tiles)
@@ -180,7 +181,8 @@ void vtkOITFragmentStore::Begin(const vtkOITRectangle& rectangle)
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, OIT_BUFFER_COUNTERS, this->CounterBuffer);
   if (this->NodesInImage)
   {
-    glBindImageTexture(OIT_IMAGE_NODES, this->PoolTexture, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32UI);
+    glBindImageTexture(
+      OIT_IMAGE_NODES, this->PoolTexture, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32UI);
   }
   else
   {

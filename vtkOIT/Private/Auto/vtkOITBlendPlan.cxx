@@ -252,8 +252,7 @@ vtkOITBlendCost FindCost(const std::vector<Island>& islands, std::int64_t frameA
   return cost;
 }
 
-void AppendTo(
-  std::vector<vtkOITBlendSteps::Step>& steps, const Parts& level, Faces side)
+void AppendTo(std::vector<vtkOITBlendSteps::Step>& steps, const Parts& level, Faces side)
 {
   vtkOITBlendSteps::Step step;
   step.Side = side;

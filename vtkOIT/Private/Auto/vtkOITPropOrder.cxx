@@ -57,7 +57,8 @@ bool vtkOITPlacedProp::IsAround(const vtkOITPlacedProp& other, double gap) const
 }
 
 //------------------------------------------------------------------------------
-vtkOITRelation vtkOITPlacedProp::Compare(const vtkOITPlacedProp& other, const vtkOITView& view) const
+vtkOITRelation vtkOITPlacedProp::Compare(
+  const vtkOITPlacedProp& other, const vtkOITView& view) const
 {
   if (this->Extent->Rectangle.Intersect(other.Extent->Rectangle).IsEmpty())
   {

@@ -36,8 +36,7 @@ struct vtkOITBlendSteps
 
   bool IsInsideOut(vtkProp* prop) const
   {
-    return std::find(this->InsideOut.begin(), this->InsideOut.end(), prop) !=
-      this->InsideOut.end();
+    return std::find(this->InsideOut.begin(), this->InsideOut.end(), prop) != this->InsideOut.end();
   }
   /// Whether nothing of the last step is drawn over by another part of it.
   bool EndsWithTopLayers() const

@@ -57,8 +57,8 @@ vtkOITFailure vtkOITBlendingEngine::Draw(const vtkOITFrame& frame, const vtkOITS
           state->vtkglCullFace(cullsFront ? GL_FRONT : GL_BACK);
         }
       });
-    const bool isTop = this->LayerBeside && this->Steps->EndsWithTopLayers() &&
-      &step == &this->Steps->Steps.back();
+    const bool isTop =
+      this->LayerBeside && this->Steps->EndsWithTopLayers() && &step == &this->Steps->Steps.back();
     if (isTop)
     {
       vtkOITLayerTarget::WriteBeside(false);

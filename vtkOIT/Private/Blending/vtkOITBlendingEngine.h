@@ -24,10 +24,7 @@ public:
   /// The layer that the target of the next Draw() has beside its own buffer; nullptr for none.
   void SetLayerBeside(const vtkOITLayerTarget* layer) { this->LayerBeside = layer; }
 
-  std::string GetAlgorithmName(const vtkOITSettings&) const override
-  {
-    return "ordered blending";
-  }
+  std::string GetAlgorithmName(const vtkOITSettings&) const override { return "ordered blending"; }
   std::string FindMissing(const vtkOITCapabilities&, const vtkOITSettings&) const override
   {
     return {};

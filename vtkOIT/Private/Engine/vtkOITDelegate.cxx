@@ -5,7 +5,12 @@
 #include "Private/Engine/vtkOITGather.h"
 #include "Private/Engine/vtkOITGatherHook.h"
 
+#include "vtkProp.h"
+#include "vtkRenderPass.h"
 #include "vtkRenderState.h"
+
+#include <algorithm>
+#include <iterator>
 
 namespace
 {
@@ -51,4 +56,18 @@ void vtkOITDelegate::Note(const std::vector<vtkProp*>& props)
   {
     this->Rendered.insert(props.begin(), props.end());
   }
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkProp*> vtkOITFindTranslucentProps(const vtkRenderState* state)
+{
+  vtkProp** first = state->GetPropArray();
+  std::vector<vtkProp*> props;
+  std::copy_if(first, first + state->GetPropArrayCount(), std::back_inserter(props),
+    [state](vtkProp* prop)
+    {
+      return prop->GetVisibility() && prop->HasTranslucentPolygonalGeometry() &&
+        prop->HasKeys(state->GetRequiredKeys());
+    });
+  return props;
 }

@@ -36,4 +36,7 @@ private:
   std::set<vtkProp*> Rendered;
 };
 
+/// The props of the state that such a pass would draw as translucent.
+std::vector<vtkProp*> vtkOITFindTranslucentProps(const vtkRenderState* state);
+
 #endif

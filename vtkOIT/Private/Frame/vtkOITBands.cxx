@@ -51,8 +51,7 @@ bool vtkOITBands::Split(std::int64_t needed, std::int64_t capacity)
 }
 
 //------------------------------------------------------------------------------
-vtkOITFailure vtkOITBands::DrawAll(
-  const std::function<vtkOITFailure(const vtkOITRectangle&)>& draw,
+vtkOITFailure vtkOITBands::DrawAll(const std::function<vtkOITFailure(const vtkOITRectangle&)>& draw,
   const std::function<void()>& free)
 {
   vtkOITRectangle part;

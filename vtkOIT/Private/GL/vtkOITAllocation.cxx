@@ -46,6 +46,6 @@ vtkOITFailure vtkOITAllocation::Check(const std::string& what) const
     return {};
   }
   TakeErrors();
-  return vtkOITFailure::OfMemory("OpenGL has no memory for " + what +
-    "; use a smaller window, or set a MaximumBufferSize");
+  return vtkOITFailure::OfMemory(
+    "OpenGL has no memory for " + what + "; use a smaller window, or set a MaximumBufferSize");
 }

@@ -101,8 +101,7 @@ vtkOITFailure vtkOITDepthCopy::Copy(const vtkOITFrame& frame, const vtkOITRectan
   glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER,
     frame.Target.StencilBits > 0 ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, this->Target,
     this->Texture, 0);
-  const bool isComplete =
-    glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+  const bool isComplete = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   // The scissor test clips what a blit writes.
   vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
   state->vtkglDisable(GL_SCISSOR_TEST);

@@ -4,8 +4,8 @@
 #define vtkOITDepthCopy_h
 
 #include "Private/Frame/vtkOITCompatibility.h"
-#include "Private/Frame/vtkOITFrame.h"
 #include "Private/Frame/vtkOITFailure.h"
+#include "Private/Frame/vtkOITFrame.h"
 #include "Private/GL/vtkOITContextObjects.h"
 #include "Private/GL/vtkOITFramebuffer.h"
 

@@ -51,8 +51,7 @@ vtkOITFailure vtkOITPixelStatistics::Reduce(const vtkOITFrame& frame,
   const int first[2] = { region.X, region.Y };
   const int last[2] = { region.X + region.Width - 1, region.Y + region.Height - 1 };
   vtkOITFailure failure = this->Stage.Render(
-    frame.Window, vtkOITFullScreenVS,
-    [] { return vtkOITShaderText({ vtkOITReduceFS }).GetText(); },
+    frame.Window, vtkOITFullScreenVS, [] { return vtkOITShaderText({ vtkOITReduceFS }).GetText(); },
     [&](vtkShaderProgram* program)
     {
       array.Bind(state, Unit);

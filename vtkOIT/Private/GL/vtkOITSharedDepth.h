@@ -17,6 +17,7 @@ vtkOITFailure vtkOITBindWithSharedDepth(
 
 /// The same, for drawing into what the framebuffer that was bound before draws into, at
 /// GL_COLOR_ATTACHMENT0, and into `color` at GL_COLOR_ATTACHMENT1.
-vtkOITFailure vtkOITBindBeside(vtkOpenGLState* state, GLuint framebuffer, const vtkOITAttachment& color);
+vtkOITFailure vtkOITBindBeside(
+  vtkOpenGLState* state, GLuint framebuffer, const vtkOITAttachment& color);
 
 #endif

@@ -45,8 +45,7 @@ void vtkOITBucketPeeler::Prepare(const vtkOITFrame& frame, const vtkOITSettings&
   this->Interval = vtkOITEyeDepthInterval::Find(frame);
   this->IsHistogram = false;
   const bool inPlace = vtkOITPeelState::CanWorkInPlace(frame);
-  this->HistogramGather.SetStage(
-    this->MakeGather(vtkOITBucketHistogramFS).Define("OIT_HISTOGRAM"));
+  this->HistogramGather.SetStage(this->MakeGather(vtkOITBucketHistogramFS).Define("OIT_HISTOGRAM"));
   if (this->Gather.SetStage(this->MakeGather(vtkOITBucketGatherFS)) || this->InPlace != inPlace)
   {
     this->Release();
@@ -101,8 +100,8 @@ vtkOITFailure vtkOITBucketPeeler::Begin(const vtkOITPeelContext& context)
   {
     if (!failure)
     {
-      failure = array.Reserve(context.Frame.Window, context.State.GetWidth(),
-        context.State.GetHeight(), Buffers, format);
+      failure = array.Reserve(
+        context.Frame.Window, context.State.GetWidth(), context.State.GetHeight(), Buffers, format);
     }
   };
   reserve(this->Depths, GL_RGBA32F);
@@ -152,16 +151,16 @@ vtkOITFailure vtkOITBucketPeeler::DrawLayers(const vtkOITPeelContext& context,
 //------------------------------------------------------------------------------
 vtkOITFailure vtkOITBucketPeeler::GatherHistogram(const vtkOITPeelContext& context)
 {
-  vtkOITFailure failure = context.State.BindForGather(this->GatherFramebuffer,
-    this->Histogram.GetAllLayers(),
-    []
-    {
-      const GLuint nothing[4] = { 0, 0, 0, 0 };
-      for (int i = 0; i < Buffers; ++i)
+  vtkOITFailure failure =
+    context.State.BindForGather(this->GatherFramebuffer, this->Histogram.GetAllLayers(),
+      []
       {
-        glClearBufferuiv(GL_COLOR, i, nothing);
-      }
-    });
+        const GLuint nothing[4] = { 0, 0, 0, 0 };
+        for (int i = 0; i < Buffers; ++i)
+        {
+          glClearBufferuiv(GL_COLOR, i, nothing);
+        }
+      });
   if (failure)
   {
     return failure;
@@ -173,8 +172,8 @@ vtkOITFailure vtkOITBucketPeeler::GatherHistogram(const vtkOITPeelContext& conte
   context.RenderGeometry();
   this->IsHistogram = false;
   glDisable(GL_COLOR_LOGIC_OP);
-  return this->DrawLayers(context, this->BucketBounds, this->EqualizeStage,
-    vtkOITBucketEqualizeFS, "oitHistogram", this->Histogram);
+  return this->DrawLayers(context, this->BucketBounds, this->EqualizeStage, vtkOITBucketEqualizeFS,
+    "oitHistogram", this->Histogram);
 }
 
 //------------------------------------------------------------------------------
@@ -202,8 +201,8 @@ vtkOITFailure vtkOITBucketPeeler::GatherColors(
   vtkOpenGLState* gl = context.Frame.GLState;
   this->IsColorStage = true;
   this->SlotLayer = slotLayer;
-  if (vtkOITFailure failure = context.State.BindForGather(this->GatherFramebuffer,
-        this->Sums.GetAllLayers(), [] { Clear(0.0f, 0.0f, 0.0f, -2.0f); }))
+  if (vtkOITFailure failure = context.State.BindForGather(
+        this->GatherFramebuffer, this->Sums.GetAllLayers(), [] { Clear(0.0f, 0.0f, 0.0f, -2.0f); }))
   {
     return failure;
   }

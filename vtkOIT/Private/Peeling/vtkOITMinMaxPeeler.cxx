@@ -58,16 +58,14 @@ vtkOITFailure vtkOITMinMaxPeeler::Begin(const vtkOITPeelContext& context)
   const vtkOITPeelState& state = context.State;
   const int sums = this->GetNumberOfSums(this->InPlace);
   this->IsRest = false;
-  return sums > 0
-    ? this->Sums.Reserve(
-        context.Frame.Window, state.GetWidth(), state.GetHeight(), sums, GL_RGBA32F)
-    : vtkOITFailure();
+  return sums > 0 ? this->Sums.Reserve(
+                      context.Frame.Window, state.GetWidth(), state.GetHeight(), sums, GL_RGBA32F)
+                  : vtkOITFailure();
 }
 
 //------------------------------------------------------------------------------
 // What Gather reads are layers of the state; Resolve has emptied them.
-vtkOITFailure vtkOITMinMaxPeeler::GatherInPlace(
-  const vtkOITPeelContext& context, bool isSetUp)
+vtkOITFailure vtkOITMinMaxPeeler::GatherInPlace(const vtkOITPeelContext& context, bool isSetUp)
 {
   const vtkOITTextureArray& state = context.State.GetArray();
   if (vtkOITFailure failure = context.State.BindForGather(this->GatherFramebuffer,
@@ -85,8 +83,7 @@ vtkOITFailure vtkOITMinMaxPeeler::GatherInPlace(
 }
 
 //------------------------------------------------------------------------------
-vtkOITFailure vtkOITMinMaxPeeler::GatherByBlending(
-  const vtkOITPeelContext& context, bool isSetUp)
+vtkOITFailure vtkOITMinMaxPeeler::GatherByBlending(const vtkOITPeelContext& context, bool isSetUp)
 {
   vtkOpenGLState* gl = context.Frame.GLState;
   const int sums = this->Sums.GetNumberOfLayers();

@@ -194,8 +194,8 @@ vtkOITFailure vtkOITMultiLayerPeeler::Peel(const vtkOITPeelContext& context, int
       glClearBufferuiv(GL_COLOR, i, isRest ? zero : empty);
     }
   };
-  if (vtkOITFailure failure = context.State.BindForGather(
-        this->GatherFramebuffer, this->Slots.GetAllLayers(), clear))
+  if (vtkOITFailure failure =
+        context.State.BindForGather(this->GatherFramebuffer, this->Slots.GetAllLayers(), clear))
   {
     return failure;
   }
@@ -208,8 +208,8 @@ vtkOITFailure vtkOITMultiLayerPeeler::Peel(const vtkOITPeelContext& context, int
     case Access::Interlock:
       // Images instead of colour buffers; the depth test is the same.
       vtkOITFramebuffer::DrawInto(0);
-      glBindImageTexture(
-        OIT_IMAGE_SLOTS, this->Slots.GetLayer(0).Texture, 0, GL_TRUE, 0, GL_READ_WRITE, GL_RGBA32UI);
+      glBindImageTexture(OIT_IMAGE_SLOTS, this->Slots.GetLayer(0).Texture, 0, GL_TRUE, 0,
+        GL_READ_WRITE, GL_RGBA32UI);
       glMemoryBarrier(GL_ALL_BARRIER_BITS);
       this->RenderGeometry(context);
       glMemoryBarrier(GL_ALL_BARRIER_BITS);

@@ -77,14 +77,14 @@ vtkOITFailure vtkOITPeelState::Begin(const vtkOITFrame& frame, const vtkOITRecta
   vtkOpenGLRenderWindow* window = frame.Window;
   for (int i = 0; i < (this->InPlace ? 1 : 2); ++i)
   {
-    if (vtkOITFailure failure = this->Arrays[i].Reserve(
-          window, storage.Width, storage.Height, layout.Layers, GL_RGBA32F))
+    if (vtkOITFailure failure =
+          this->Arrays[i].Reserve(window, storage.Width, storage.Height, layout.Layers, GL_RGBA32F))
     {
       return failure;
     }
   }
-  if (vtkOITFailure failure = this->MaskDepth.Reserve(
-        window, storage.Width, storage.Height, 1, GL_DEPTH_COMPONENT32F))
+  if (vtkOITFailure failure =
+        this->MaskDepth.Reserve(window, storage.Width, storage.Height, 1, GL_DEPTH_COMPONENT32F))
   {
     return failure;
   }

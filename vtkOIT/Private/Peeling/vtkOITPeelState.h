@@ -56,13 +56,14 @@ public:
   /// Starts the pixels of `band`: nothing peeled, everything inside the bounds. Viewport and
   /// scissor are set for drawing into layers. `storage` has the band and the pixel that becomes
   /// texel (0, 0).
-  vtkOITFailure Begin(const vtkOITFrame& frame, const vtkOITRectangle& band, const vtkOITRectangle& storage,
-    const Layout& layout, double transmittanceThreshold, bool countsPixels);
+  vtkOITFailure Begin(const vtkOITFrame& frame, const vtkOITRectangle& band,
+    const vtkOITRectangle& storage, const Layout& layout, double transmittanceThreshold,
+    bool countsPixels);
 
   /// Binds textures of the method for a geometry pass, under the depth test against opaque geometry
   /// until there is a Mask, then under that. `clear` clears them, where they will be read.
-  vtkOITFailure BindForGather(vtkOITFramebuffer& framebuffer, const std::vector<vtkOITAttachment>& colors,
-    const std::function<void()>& clear);
+  vtkOITFailure BindForGather(vtkOITFramebuffer& framebuffer,
+    const std::vector<vtkOITAttachment>& colors, const std::function<void()>& clear);
 
   /// Draws all pixels that are not finished with the method's Resolve stage.
   /// The text has what AddResolve() adds.

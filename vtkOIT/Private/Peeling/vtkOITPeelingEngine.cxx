@@ -109,8 +109,7 @@ vtkOITFailure vtkOITPeelingEngine::Draw(const vtkOITFrame& frame, const vtkOITSe
 }
 
 //------------------------------------------------------------------------------
-vtkOITFailure vtkOITPeelingEngine::DrawBand(
-  const Task& task, const vtkOITRectangle& band, End& end)
+vtkOITFailure vtkOITPeelingEngine::DrawBand(const Task& task, const vtkOITRectangle& band, End& end)
 {
   const vtkOITFrame& frame = task.Frame;
   const vtkOITSettings& settings = task.Settings;
@@ -121,8 +120,8 @@ vtkOITFailure vtkOITPeelingEngine::DrawBand(
   const bool expectsAll = settings.UseOcclusionQuery && end.FirstHadAll;
   vtkOITPeelContext context{ frame, this->State, expectsAll, {} };
   context.RenderGeometry = [this, &task, &context] { this->DrawGeometry(task, context); };
-  this->Culls = settings.UseOcclusionQuery && !expectsAll && peeler.CanCullProps() &&
-    frame.Props.size() > 1;
+  this->Culls =
+    settings.UseOcclusionQuery && !expectsAll && peeler.CanCullProps() && frame.Props.size() > 1;
   if (this->Culls)
   {
     this->Culling.Begin(frame.Window, frame.Props);
@@ -151,8 +150,7 @@ vtkOITFailure vtkOITPeelingEngine::Composite(
     return failure;
   }
   task.Frame.BeginOutput(band);
-  failure =
-    this->Chosen->HasAll() ? this->Chosen->Composite(context) : this->State.Composite();
+  failure = this->Chosen->HasAll() ? this->Chosen->Composite(context) : this->State.Composite();
   if (failure)
   {
     return failure;
@@ -180,8 +178,7 @@ void vtkOITPeelingEngine::DrawGeometry(const Task& task, const vtkOITPeelContext
       context.Frame.GLState->vtkglDepthMask(GL_FALSE);
       this->Chosen->SetUniforms(program, prop, context);
     });
-  const std::vector<vtkProp*> props =
-    this->Culls ? this->Culling.BeginPass() : task.Frame.Props;
+  const std::vector<vtkProp*> props = this->Culls ? this->Culling.BeginPass() : task.Frame.Props;
   if (!props.empty())
   {
     task.Geometry.Draw(props, gather);

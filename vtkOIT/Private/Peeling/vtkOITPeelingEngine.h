@@ -21,10 +21,7 @@ public:
   vtkOITPeelingEngine(const char* algorithmName, std::unique_ptr<vtkOITPeeler> peeler);
   ~vtkOITPeelingEngine() override;
 
-  std::string GetAlgorithmName(const vtkOITSettings&) const override
-  {
-    return this->AlgorithmName;
-  }
+  std::string GetAlgorithmName(const vtkOITSettings&) const override { return this->AlgorithmName; }
   std::string FindMissing(
     const vtkOITCapabilities& capabilities, const vtkOITSettings& settings) const override;
   std::string FindMissingIn(const vtkOITFrame& frame) const override;
@@ -55,8 +52,8 @@ private:
 
   vtkOITFailure DrawBand(const Task& task, const vtkOITRectangle& band, End& end);
   vtkOITFailure PeelBand(const Task& task, const vtkOITPeelContext& context, End& end);
-  vtkOITFailure Composite(const Task& task, const vtkOITPeelContext& context,
-    const vtkOITRectangle& band, End& end);
+  vtkOITFailure Composite(
+    const Task& task, const vtkOITPeelContext& context, const vtkOITRectangle& band, End& end);
   void DrawGeometry(const Task& task, const vtkOITPeelContext& context);
   bool IsFinished(std::size_t peels, std::size_t expected, std::int64_t fewestPixels);
 

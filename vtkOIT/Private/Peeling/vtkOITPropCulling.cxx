@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Peeling/vtkOITPropCulling.h"
 
-
 //------------------------------------------------------------------------------
-void vtkOITPropCulling::Begin(
-  vtkOpenGLRenderWindow* window, const std::vector<vtkProp*>& props)
+void vtkOITPropCulling::Begin(vtkOpenGLRenderWindow* window, const std::vector<vtkProp*>& props)
 {
   this->Window = window;
   this->Entries.clear();

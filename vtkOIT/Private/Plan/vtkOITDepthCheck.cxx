@@ -30,8 +30,7 @@ bool vtkOITDepthCheck::IsUnchanged(const vtkOITFrame& frame)
 {
   vtkOpenGLState* state = frame.GLState;
   frame.BeginOutput(frame.Rectangle);
-  if (this->Now.Copy(
-        frame, frame.FindStorage(frame.Rectangle), frame.Rectangle, OIT_UNIT_DEPTH))
+  if (this->Now.Copy(frame, frame.FindStorage(frame.Rectangle), frame.Rectangle, OIT_UNIT_DEPTH))
   {
     return false;
   }

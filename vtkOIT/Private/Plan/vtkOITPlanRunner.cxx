@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Plan/vtkOITPlanRunner.h"
 
+#include "Private/Frame/vtkOITSettings.h"
 #include "Private/GL/vtkOITOutput.h"
 #include "Private/GL/vtkOITSavedState.h"
-#include "Private/Frame/vtkOITSettings.h"
 #include "Private/Plan/vtkOITPlan.h"
 
 #include <algorithm>
@@ -69,8 +69,7 @@ bool vtkOITPlanRunner::Reuse(const vtkOITPlan& plan, vtkOITStatistics& statistic
 //------------------------------------------------------------------------------
 // Releases what is left over from other frames until `needed` bytes more than what stays for
 // sorting, `forSorting`, are free. False when that cannot be.
-bool vtkOITPlanRunner::MakeRoom(
-  std::int64_t needed, std::int64_t forSorting, std::int64_t limit)
+bool vtkOITPlanRunner::MakeRoom(std::int64_t needed, std::int64_t forSorting, std::int64_t limit)
 {
   if (this->Layer.GetSizeInBytes() + this->DepthCheck.GetSizeInBytes() > limit - forSorting)
   {
@@ -145,8 +144,8 @@ bool vtkOITPlanRunner::Blend(const Task& task, const vtkOITTarget& target, Into 
     std::to_string(task.Plan.Frame.Props.size()) + " props blended: their order is known");
   this->Blending.SetSteps(&blend);
   this->Blending.SetLayerBeside(into == Into::Beside ? &this->Layer : nullptr);
-  const vtkOITFailure failure = this->Blending.Draw(
-    task.Plan.Frame.On(target), task.Settings, task.Geometry, task.Statistics);
+  const vtkOITFailure failure =
+    this->Blending.Draw(task.Plan.Frame.On(target), task.Settings, task.Geometry, task.Statistics);
   task.Statistics.Algorithm = this->Blending.GetAlgorithmName(task.Settings);
   task.Statistics.Reason = "the order of all props is known";
   if (failure)
@@ -176,8 +175,8 @@ void vtkOITPlanRunner::Sort(const Task& task, const vtkOITFrame& frame)
   this->SortedFragments = std::max<std::int64_t>(0, task.Statistics.NumberOfFragments);
   if (task.Statistics.Reason.empty())
   {
-    task.Statistics.Reason = fits ? "its fragments fit into memory"
-                                  : "in bands, as its fragments do not fit into memory";
+    task.Statistics.Reason =
+      fits ? "its fragments fit into memory" : "in bands, as its fragments do not fit into memory";
   }
   if (task.Statistics.SkippedHiddenFragments)
   {

@@ -70,9 +70,9 @@ private:
   vtkOITBlendingEngine Blending;
   vtkOITLayerTarget Layer;
   vtkOITDepthCheck DepthCheck;
-  bool HasLayer = false;              // of the last frame, kept
-  vtkOITStatistics LayerStatistics;   // of that frame
-  std::int64_t SortedFragments = 0;   // of the last frame
+  bool HasLayer = false;            // of the last frame, kept
+  vtkOITStatistics LayerStatistics; // of that frame
+  std::int64_t SortedFragments = 0; // of the last frame
 };
 
 #endif

@@ -34,8 +34,7 @@ public:
 
   /// Empty when one of them runs in a context, otherwise what the best one lacks. Of the own one
   /// only, when there is one.
-  std::string FindMissing(
-    const vtkOITCapabilities& capabilities, const vtkOITSettings& settings);
+  std::string FindMissing(const vtkOITCapabilities& capabilities, const vtkOITSettings& settings);
 
   /// Draws the props inside of the frame's rectangle over its target. The statistics tell by which
   /// method, and why.

@@ -18,20 +18,20 @@
 #define OIT_BUFFER_NODES 1
 
 // A-buffer: lists.
-#define OIT_END 0u            // no node: node 0 is never used
-#define OIT_PAGE_SIZE 4u      // nodes of a page
-#define OIT_LEFT 0x80000000u  // bit of a head: the pixel is left for Sort and Composite
-#define OIT_RUN_SIZE 16       // nodes of the runs that Sort starts from
-#define OIT_LONG_LIST 32      // fragments up to which all are composited, whatever the threshold
-#define OIT_NETWORK_COUNT 8   // sorting networks in registers, and the fragments that they take
+#define OIT_END 0u           // no node: node 0 is never used
+#define OIT_PAGE_SIZE 4u     // nodes of a page
+#define OIT_LEFT 0x80000000u // bit of a head: the pixel is left for Sort and Composite
+#define OIT_RUN_SIZE 16      // nodes of the runs that Sort starts from
+#define OIT_LONG_LIST 32     // fragments up to which all are composited, whatever the threshold
+#define OIT_NETWORK_COUNT 8  // sorting networks in registers, and the fragments that they take
 #define OIT_NETWORK_SIZES 4, 6, 8, 12, 16, 24, 32, 64
 
 // A-buffer: counters in words of 32 bits, then the tiles.
 #define OIT_COUNTER_WORDS 4 // nodes, overflow, skipped, unused
 #define OIT_WORD_OVERFLOW 1
 #define OIT_WORD_SKIPPED 2
-#define OIT_TILE_SIZE 16 // pixels a side
-#define OIT_TILE_WORDS 3 // depth complexity or marks; that of marked tiles; fragments
+#define OIT_TILE_SIZE 16          // pixels a side
+#define OIT_TILE_WORDS 3          // depth complexity or marks; that of marked tiles; fragments
 #define OIT_TRY_AGAIN 0x20000000u // mark of a tile: some pixels need a second chance
 #define OIT_HAS_LISTS 0x40000000u // mark of a tile: some pixels are left for Sort and Composite
 
