@@ -343,8 +343,8 @@ int* vtkOITOSMesaRenderWindow::GetScreenSize()
 //------------------------------------------------------------------------------
 bool vtkOITOSMesaRenderWindow::HasFrame()
 {
-  return this->Internals->Context && this->Initialized &&
-    this->RenderFramebuffer->GetFBOIndex() && vtkOITOSMesaContext::FindLossByFork().empty();
+  return this->Internals->Context && this->Initialized && this->RenderFramebuffer->GetFBOIndex() &&
+    vtkOITOSMesaContext::FindLossByFork().empty();
 }
 
 //------------------------------------------------------------------------------
