@@ -13,8 +13,12 @@
 #include "vtkRendererCollection.h"
 #include "vtk_glew.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
+#include <iostream>
 #include <mutex>
 #include <set>
 #include <sstream>
@@ -53,7 +57,11 @@ public:
     if (!this->HasExitHandler)
     {
       // Exit handlers run last in, first out, and Mesa set up its own for the first context.
+#ifdef __GLIBC__
+      this->HasExitHandler = on_exit(&LiveWindows::Exit, nullptr) == 0;
+#else
       this->HasExitHandler = std::atexit([]() { LiveWindows::Get().Finalize(); }) == 0;
+#endif
     }
     this->Windows.insert(window);
   }
@@ -66,6 +74,20 @@ public:
 
 private:
   LiveWindows() = default;
+
+#ifdef __GLIBC__
+  static void Exit(int status, void*)
+  {
+    if (!vtkOITOSMesaContext::FindLossByFork().empty())
+    {
+      // Mesa's own handler would wait for threads that this process does not have.
+      std::cout.flush();
+      std::fflush(nullptr);
+      _exit(status);
+    }
+    LiveWindows::Get().Finalize();
+  }
+#endif
 
   void Finalize()
   {
@@ -160,8 +182,11 @@ void vtkOITOSMesaRenderWindow::DestroyWindow()
     return;
   }
   const vtkOITOSMesaContext::Binding before = vtkOITOSMesaContext::GetBinding();
-  this->MakeCurrent();
-  this->ReleaseGraphicsResources(this);
+  if (vtkOITOSMesaContext::FindLossByFork().empty())
+  {
+    this->MakeCurrent();
+    this->ReleaseGraphicsResources(this);
+  }
   LiveWindows::Get().Remove(this);
   this->Internals->Context.reset();
   vtkOITOSMesaContext::Restore(before);
@@ -192,8 +217,12 @@ bool vtkOITOSMesaRenderWindow::Prepare()
   {
     return false;
   }
-  // Libraries that were loaded since the last frame may bring mappers that call OpenGL.
-  const std::string error = vtkOITOSMesaRedirection::Update();
+  std::string error = vtkOITOSMesaContext::FindLossByFork();
+  if (error.empty())
+  {
+    // Libraries that were loaded since the last frame may bring mappers that call OpenGL.
+    error = vtkOITOSMesaRedirection::Update();
+  }
   if (!error.empty())
   {
     vtkErrorMacro("nothing is drawn: " << error << ".");
@@ -314,7 +343,8 @@ int* vtkOITOSMesaRenderWindow::GetScreenSize()
 //------------------------------------------------------------------------------
 bool vtkOITOSMesaRenderWindow::HasFrame()
 {
-  return this->Internals->Context && this->Initialized && this->RenderFramebuffer->GetFBOIndex();
+  return this->Internals->Context && this->Initialized && this->RenderFramebuffer->GetFBOIndex() &&
+    vtkOITOSMesaContext::FindLossByFork().empty();
 }
 
 //------------------------------------------------------------------------------

@@ -89,7 +89,7 @@ _HEADING = re.compile(r"^(ERROR|Warning|Generic Warning|Debug): In .*, line \d+$
 _LOG = re.compile(r"^\(?[\d.:\s-]*\(\s*[\d.]+s\)\s*\[[^\]]*\].*?\b(ERR|WARN|INFO)\|\s?")
 _IS_ERROR = re.compile(r"\berror\b|premature|unexpected end|truncated", re.IGNORECASE)
 _COLOR = re.compile(r"\x1b\[[0-9;]*m")
-_OBJECT = re.compile(r"^(vtk\w+)(\s*\((0x[0-9a-fA-F]+|nil)\)(\s*'[^']*')?)?:\s*")
+_OBJECT = re.compile(r"^(\(nullptr\):\s*)?(vtk\w+)(\s*\((0x[0-9a-fA-F]+|nil)\)(\s*'[^']*')?)?:\s*")
 
 
 def _records(text):
