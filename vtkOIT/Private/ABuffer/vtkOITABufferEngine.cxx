@@ -28,6 +28,9 @@ std::int64_t GetBytesOfHeadsInTarget(const vtkOITFrame& frame)
   return INT64_C(4) * (r.X + r.Width) * (r.Y + r.Height);
 }
 
+/// What passes when there is no depth test.
+constexpr int AnyDepth = 7;
+
 /// A depth buffer that tests of a framebuffer of our own can go against.
 bool HasOwnDepth(const vtkOITTarget& target)
 {
@@ -82,6 +85,7 @@ void vtkOITABufferEngine::ChooseShaders(const Task& task)
   shaders.FramebufferFetch = vtkOITWritesByFetch(task.Frame);
   shaders.PostDepthCoverage = task.Frame.Capabilities->PostDepthCoverage;
   shaders.HeadInTarget = this->HeadInTarget;
+  shaders.ClampColor = task.Frame.Target.ClampsColor;
   this->Gather.SetStage(shaders.GetGather());
   this->Resolver.SetShaders(shaders);
 }
@@ -182,7 +186,10 @@ void vtkOITABufferEngine::DrawSolidDepth(const Task& task)
   const std::int64_t held = this->Store.GetSizeInBytes() + this->DepthCopy.GetSizeInBytes();
   const bool hasRoom = limit == 0 || (bytes <= limit / 8 && held + bytes <= limit);
   std::vector<vtkProp*> props;
-  if (task.Settings.SkipHiddenFragments && hasRoom && HasOwnDepth(task.Frame.Target))
+  // Fragments of opacity 1 pass the test against themselves.
+  const vtkOITTarget& target = task.Frame.Target;
+  const bool passesItself = target.TestsDepth && target.DepthFunction == GL_LEQUAL;
+  if (task.Settings.SkipHiddenFragments && hasRoom && HasOwnDepth(target) && passesItself)
   {
     props = vtkOITFindSolidProps(task.Frame.Props);
   }
@@ -316,10 +323,10 @@ void vtkOITABufferEngine::SetUniforms(const Task& task, vtkShaderProgram* progra
         this->DepthCopy.Copy(task.Frame, this->Band, this->Band, OIT_UNIT_DEPTH);
       this->HasDepthCopy = !this->DepthCopyFailure;
     }
-    const vtkOITTarget& target = task.Frame.Target;
     program->SetUniformi("oitOpaqueDepth", OIT_UNIT_DEPTH);
-    program->SetUniformi(
-      "oitDepthBits", !target.FloatDepth && target.DepthBits <= 24 ? target.DepthBits : 0);
+    program->SetUniformi("oitDepthBits", task.Frame.Target.GetFixedDepthBits());
+    program->SetUniformi("oitDepthFunction",
+      task.Frame.Target.TestsDepth ? task.Frame.Target.GetDepthRelations() : AnyDepth);
   }
 }
 

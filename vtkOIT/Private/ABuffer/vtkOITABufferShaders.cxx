@@ -27,7 +27,7 @@ bool vtkOITABufferShaders::operator==(const vtkOITABufferShaders& other) const
   const auto tie = [](const vtkOITABufferShaders& s)
   {
     return std::tie(s.Samples, s.FloatColor, s.NodesInImage, s.FramebufferFetch,
-      s.PostDepthCoverage, s.HeadInTarget);
+      s.PostDepthCoverage, s.HeadInTarget, s.ClampColor);
   };
   return tie(*this) == tie(other);
 }
@@ -41,6 +41,7 @@ void vtkOITABufferShaders::AddVariant(vtkOITShaderText& text) const
   text.Define("OIT_WIDE_NODES", this->HasWideNodes());
   text.Define("OIT_FLOAT_COLOR", this->FloatColor);
   text.Define("OIT_NODES_IN_IMAGE", this->NodesInImage);
+  text.Define("OIT_CLAMP_COLOR", this->ClampColor);
   text.Insert("Half", vtkOITHalfFS);
 }
 

@@ -22,6 +22,7 @@ struct vtkOITABufferShaders
   bool FramebufferFetch = false;
   bool PostDepthCoverage = false;
   bool HeadInTarget = false;
+  bool ClampColor = false;
 
   bool operator==(const vtkOITABufferShaders& other) const;
 

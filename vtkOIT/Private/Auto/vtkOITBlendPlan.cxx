@@ -284,7 +284,7 @@ vtkOITBlendPlan::vtkOITBlendPlan(const vtkOITFrame& frame, vtkOITMeshShapes& sha
   this->Sorted.Props.clear();
   this->Sorted.Extents.clear();
   this->Sorted.Rectangle = {};
-  const View view(frame.Renderer->GetActiveCamera());
+  const View view(frame.Renderer);
   // Polygon offset moves depths away from where the bounds say.
   const bool hasPlainDepth = vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF &&
     view.IsPlain && !frame.Window->GetStereoRender();

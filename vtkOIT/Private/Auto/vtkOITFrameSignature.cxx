@@ -103,6 +103,7 @@ void vtkOITFrameSignature::AddView(const vtkOITFrame& frame)
   this->Add(frame.Target.Framebuffer);
   this->Add(frame.Target.DrawBuffers[0]);
   this->Add(frame.Target.DepthBits);
+  this->Add(frame.Target.ClampsColor);
   this->Add(frame.Window->GetPointSmoothing());
   this->Add(frame.Window->GetLineSmoothing());
   this->Add(frame.Window->GetPolygonSmoothing());
@@ -161,7 +162,7 @@ void vtkOITFrameSignature::AddProps(const vtkOITFrame& frame)
     if (!actor || actor->GetMapper()->HasObserver(vtkCommand::UpdateShaderEvent) ||
       actor->HasObserver(vtkCommand::UpdateShaderEvent) || !IsKnownProperty(actor->GetProperty()) ||
       !IsKnownProperty(actor->GetBackfaceProperty()) || !HasPlainKeys(actor) ||
-      !IsKnownTexture(actor->GetTexture()))
+      !IsKnownTexture(actor->GetTexture()) || vtkOITDrawsSelection(actor->GetMapper(), 0))
     {
       this->Known = false;
       return;

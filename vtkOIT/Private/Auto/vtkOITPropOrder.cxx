@@ -7,11 +7,15 @@
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
+#include "vtkRenderer.h"
 
 #include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -20,21 +24,61 @@ constexpr double SmallestDepthGap = 4.0 / (1 << 24);
 /// The same for positions, in diagonals of the bounds.
 constexpr double SmallestGap = 1e-4;
 
-/// Depths, the camera's place, and which faces of triangles are front faces are what they seem.
-bool IsPlain(vtkCamera* camera)
+/// World coordinates to clip coordinates, as VTK draws.
+glm::dmat4 FindMatrix(vtkRenderer* renderer)
 {
-  const double* shear = camera->GetViewShear();
-  return camera->GetModelTransformMatrix()->IsIdentity() && !camera->GetUserTransform() &&
-    !camera->GetUserViewTransform() && camera->GetUseOffAxisProjection() == 0 && shear[0] == 0.0 &&
-    shear[1] == 0.0;
+  vtkMatrix4x4* matrix = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+    renderer->GetTiledAspectRatio(), -1.0, 1.0);
+  glm::dmat4 result;
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      result[column][row] = matrix->GetElement(row, column);
+    }
+  }
+  return result;
+}
+
+/// Rays start at the camera's place, or go along its direction; depth grows along them; and nothing
+/// is mirrored, neither by the view nor by the projection: a mirrored matrix has another sign of its
+/// determinant.
+bool IsPlain(vtkCamera* camera, const glm::dmat4& matrix)
+{
+  glm::dvec3 position;
+  glm::dvec3 direction;
+  double near = 0.0;
+  double far = 0.0;
+  camera->GetPosition(position.x, position.y, position.z);
+  camera->GetDirectionOfProjection(direction.x, direction.y, direction.z);
+  camera->GetClippingRange(near, far);
+  const glm::dvec4 first = matrix * glm::dvec4(position + near * direction, 1.0);
+  const glm::dvec4 last = matrix * glm::dvec4(position + far * direction, 1.0);
+  const bool hasDepth =
+    first.w > 0.0 && last.w > 0.0 && first.z / first.w < last.z / last.w;
+  // Where all rays meet, or what they go along, is drawn nowhere: x, y and w are 0.
+  const glm::dvec4 origin = camera->GetParallelProjection() ? glm::dvec4(direction, 0.0)
+                                                            : glm::dvec4(position, 1.0);
+  const glm::dvec4 image = matrix * origin;
+  double scale = 0.0; // of the products that x, y and w are sums of
+  for (int column = 0; column < 4; ++column)
+  {
+    for (const int row : { 0, 1, 3 })
+    {
+      scale = std::max(scale, std::abs(matrix[column][row] * origin[column]));
+    }
+  }
+  const double largest = std::max({ std::abs(image.x), std::abs(image.y), std::abs(image.w) });
+  return hasDepth && largest <= 1e-9 * scale && glm::determinant(matrix) < 0.0;
 }
 }
 
 //------------------------------------------------------------------------------
-vtkOITView::vtkOITView(vtkCamera* camera)
-  : IsParallel(camera->GetParallelProjection() != 0)
-  , IsPlain(::IsPlain(camera))
+vtkOITView::vtkOITView(vtkRenderer* renderer)
+  : IsParallel(renderer->GetActiveCamera()->GetParallelProjection() != 0)
+  , IsPlain(::IsPlain(renderer->GetActiveCamera(), FindMatrix(renderer)))
 {
+  vtkCamera* camera = renderer->GetActiveCamera();
   camera->GetPosition(this->Position.data());
   camera->GetDirectionOfProjection(this->Direction.data());
 }

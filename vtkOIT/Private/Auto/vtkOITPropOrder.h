@@ -7,14 +7,14 @@
 
 #include <array>
 
-class vtkCamera;
 class vtkProp;
+class vtkRenderer;
 struct vtkOITScreenExtent;
 
 /// Where the camera is, and where it looks to.
 struct vtkOITView
 {
-  explicit vtkOITView(vtkCamera* camera);
+  explicit vtkOITView(vtkRenderer* renderer);
 
   /// Which side of the plane across an axis is in front: that of lower coordinates?
   bool IsLowerInFront(int axis, double plane) const
@@ -23,7 +23,8 @@ struct vtkOITView
   }
 
   bool IsParallel;
-  /// Depths, the camera's place, and which faces of triangles are front faces are what they seem.
+  /// Depths, the camera's place, and which faces of triangles are front faces are what they seem:
+  /// proven from the matrix that draws.
   bool IsPlain;
   std::array<double, 3> Position{};
   std::array<double, 3> Direction{};

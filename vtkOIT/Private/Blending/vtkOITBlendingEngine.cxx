@@ -14,14 +14,15 @@
 #include "vtkOpenGLState.h"
 
 //------------------------------------------------------------------------------
-void vtkOITBlendingEngine::SetStage(bool byFetch)
+void vtkOITBlendingEngine::SetStage(const vtkOITFrame& frame)
 {
   vtkOITShaderText text({ vtkOITFragmentFS, vtkOITBlendFS });
   if (this->LayerBeside)
   {
     vtkOITLayerTarget::AddOutputBeside(text);
   }
-  vtkOITAddOutput(text, byFetch);
+  text.Define("OIT_CLAMP_COLOR", frame.Target.ClampsColor);
+  vtkOITAddOutput(text, vtkOITWritesByFetch(frame));
   this->Gather.SetStage(text);
 }
 
@@ -29,15 +30,14 @@ void vtkOITBlendingEngine::SetStage(bool byFetch)
 vtkOITFailure vtkOITBlendingEngine::Draw(const vtkOITFrame& frame, const vtkOITSettings&,
   vtkOITGeometry& geometry, vtkOITStatistics& statistics)
 {
-  const bool byFetch = vtkOITWritesByFetch(frame);
-  this->SetStage(byFetch);
+  this->SetStage(frame);
   frame.BeginGeometry(this->Steps->Rectangle.Intersect(frame.Rectangle));
   if (!this->LayerBeside)
   {
     frame.Target.DrawToFirstBuffer();
   }
   vtkOpenGLState* state = frame.GLState;
-  vtkOITSetOutputBlending(state, byFetch);
+  vtkOITSetOutputBlending(state, vtkOITWritesByFetch(frame));
   for (const vtkOITBlendSteps::Step& step : this->Steps->Steps)
   {
     this->Gather.SetUniforms(

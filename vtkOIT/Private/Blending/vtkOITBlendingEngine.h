@@ -35,7 +35,7 @@ public:
   void Release() override {}
 
 private:
-  void SetStage(bool byFetch);
+  void SetStage(const vtkOITFrame& frame);
 
   const vtkOITBlendSteps* Steps = nullptr;
   const vtkOITLayerTarget* LayerBeside = nullptr;

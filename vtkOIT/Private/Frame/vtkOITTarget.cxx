@@ -50,8 +50,9 @@ vtkOITTarget vtkOITTarget::Query()
   const GLenum stencil = isDefault ? GL_STENCIL : GL_STENCIL_ATTACHMENT;
   if (color != GL_NONE && IsAttached(color))
   {
-    target.CoarseColor =
-      GetAttachment(color, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_UNSIGNED_NORMALIZED &&
+    target.ClampsColor =
+      GetAttachment(color, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_UNSIGNED_NORMALIZED;
+    target.CoarseColor = target.ClampsColor &&
       GetAttachment(color, GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE) <= 10 &&
       GetAttachment(color, GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING) == GL_LINEAR;
   }
@@ -65,6 +66,13 @@ vtkOITTarget vtkOITTarget::Query()
     target.StencilBits = GetAttachment(stencil, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE);
   }
   return target;
+}
+
+//------------------------------------------------------------------------------
+// The functions are numbered so.
+int vtkOITTarget::GetDepthRelations() const
+{
+  return static_cast<int>(this->DepthFunction - GL_NEVER);
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <regex>
+#include <set>
 #include <sstream>
 
 namespace
@@ -44,6 +45,34 @@ void ReplaceDiscard(std::string& shader)
     std::regex_replace(
       shader.substr(begin, end - begin), discard, "{ oitFragColor = vec4(0.0); return; }") +
     shader.substr(end);
+}
+
+/// What mappers and other passes write: the first colour becomes oitFragColor, all others variables,
+/// whose declarations are returned. VTK names an output gl_FragData[i], and fragOutputI once it has
+/// looked at the text; others may have declared outputs of their own.
+std::string ReplaceOutputs(std::string& shader)
+{
+  std::string variables = "vec4 oitFragColor;\n";
+  Replace(shader, "gl_FragData[0]", "oitFragColor");
+  Replace(shader, "fragOutput0", "oitFragColor");
+  static const std::regex numbered(R"((?:gl_FragData\[\s*(\d+)\s*\]|\bfragOutput(\d+)\b))");
+  std::set<std::string> numbers;
+  for (std::sregex_iterator it(shader.begin(), shader.end(), numbered), end; it != end; ++it)
+  {
+    numbers.insert((*it)[1].matched ? (*it)[1].str() : (*it)[2].str());
+  }
+  if (!numbers.empty())
+  {
+    shader = std::regex_replace(shader, numbered, "oitFragData$1$2");
+  }
+  for (const std::string& number : numbers)
+  {
+    variables += "vec4 oitFragData" + number + ";\n";
+  }
+  static const std::regex declared(
+    R"((^|\n)[ \t]*(?:layout\s*\([^)]*\)\s*)?out\s+((?:[a-z]+p\s+)?\w+\s+\w+\s*;))");
+  shader = std::regex_replace(shader, declared, "$1$2");
+  return variables;
 }
 }
 
@@ -149,11 +178,10 @@ bool vtkOITShaderText::Wrap(std::string& mapperShader) const
   const bool writesDepth = vtkOITWritesDepth(mapperShader);
   mapperShader = std::regex_replace(mapperShader, mainFunction, OITShade);
   ReplaceDiscard(mapperShader);
-  Replace(mapperShader, "gl_FragData[0]", "oitFragColor");
-  Replace(mapperShader, "fragOutput0", "oitFragColor");
+  const std::string variables = ReplaceOutputs(mapperShader);
   Replace(mapperShader, Top,
     std::string(Top) + "\n" + this->GetTop(this->EarlyTests && !writesDepth, writesDepth) +
-      "vec4 oitFragColor;\n");
+      variables);
   mapperShader += "\n" + this->Stage;
   return true;
 }

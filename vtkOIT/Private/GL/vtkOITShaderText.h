@@ -43,6 +43,7 @@ public:
   /**
    * Turns the main() of a mapper's fragment shader into `void oitShade()`, its colour output into
    * the variable `vec4 oitFragColor`, and appends this stage, which must bring a new main().
+   * Its other outputs, those of passes around ours included, become variables that nobody reads.
    * OIT_WRITES_DEPTH is defined where the mapper's shader writes gl_FragDepth. Works with any
    * shader text, also an application's own, because it relies on none of VTK's substitution sites
    * inside of main(). False when there is no main().

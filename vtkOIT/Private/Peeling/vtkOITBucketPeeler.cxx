@@ -46,7 +46,9 @@ void vtkOITBucketPeeler::Prepare(const vtkOITFrame& frame, const vtkOITSettings&
   this->IsHistogram = false;
   const bool inPlace = vtkOITPeelState::CanWorkInPlace(frame);
   this->HistogramGather.SetStage(this->MakeGather(vtkOITBucketHistogramFS).Define("OIT_HISTOGRAM"));
-  if (this->Gather.SetStage(this->MakeGather(vtkOITBucketGatherFS)) || this->InPlace != inPlace)
+  vtkOITShaderText text = this->MakeGather(vtkOITBucketGatherFS);
+  text.Define("OIT_CLAMP_COLOR", frame.Target.ClampsColor);
+  if (this->Gather.SetStage(text) || this->InPlace != inPlace)
   {
     this->Release();
     this->InPlace = inPlace;

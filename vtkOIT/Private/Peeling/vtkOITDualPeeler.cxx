@@ -26,7 +26,7 @@ constexpr int FramesToAgree = 3;
 }
 
 //------------------------------------------------------------------------------
-void vtkOITDualPeeler::Prepare(const vtkOITFrame&, const vtkOITSettings& settings)
+void vtkOITDualPeeler::Prepare(const vtkOITFrame& frame, const vtkOITSettings& settings)
 {
   this->FloatColor = settings.FloatColor;
   this->LayersPerSide = this->FloatColor ? 1 : this->WantedLayersPerSide;
@@ -35,6 +35,7 @@ void vtkOITDualPeeler::Prepare(const vtkOITFrame&, const vtkOITSettings& setting
   text.Require({ "GL_ARB_explicit_attrib_location", "GL_EXT_shader_framebuffer_fetch",
     "GL_ARB_shader_image_load_store" });
   text.TestDepthEarly(); // reading the framebuffer would end it
+  text.Define("OIT_CLAMP_COLOR", frame.Target.ClampsColor);
   this->AddLayers(text);
   text.InsertRepeated("LayerBuffers", "OIT_LAYER_BUFFER", layers);
   text.InsertRepeated("StoreLayers", "OIT_STORE_LAYER", layers);

@@ -19,6 +19,7 @@ void vtkOITMinMaxPeeler::Prepare(const vtkOITFrame& frame, const vtkOITSettings&
   vtkOITShaderText text({ vtkOITFragmentFS, vtkOITMinMaxGatherFS });
   text.Require({ "GL_ARB_explicit_attrib_location" });
   text.Define("OIT_DUAL", this->IsDual).Define("OIT_IN_PLACE", this->InPlace);
+  text.Define("OIT_CLAMP_COLOR", frame.Target.ClampsColor);
   if (this->InPlace)
   {
     text.Require({ "GL_EXT_shader_framebuffer_fetch", "GL_ARB_shader_image_load_store" });

@@ -116,6 +116,7 @@ void vtkOITMultiLayerPeeler::Prepare(const vtkOITFrame& frame, const vtkOITSetti
     text.TestDepthEarly();
   }
   this->AddVariant(text);
+  text.Define("OIT_CLAMP_COLOR", frame.Target.ClampsColor);
   text.Insert("DepthTest", vtkOITDepthTestFS);
   text.InsertRepeated("SlotBuffers", "OIT_SLOT_BUFFER", slots);
   text.InsertRepeated("LoadSlots", "OIT_LOAD_SLOT", slots);

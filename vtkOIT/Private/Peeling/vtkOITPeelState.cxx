@@ -288,8 +288,8 @@ void vtkOITPeelState::SetDepthTest(vtkShaderProgram* program) const
   }
   program->SetUniformi("oitTestsDepth", testsDepth ? 1 : 0);
   program->SetUniformi("oitOpaqueDepth", OIT_UNIT_DEPTH);
-  program->SetUniformi(
-    "oitDepthBits", !target.FloatDepth && target.DepthBits <= 24 ? target.DepthBits : 0);
+  program->SetUniformi("oitDepthBits", target.GetFixedDepthBits());
+  program->SetUniformi("oitDepthFunction", target.GetDepthRelations());
 }
 
 //------------------------------------------------------------------------------

@@ -69,6 +69,7 @@ vtkOITFailure vtkOITWeightedEngine::Draw(const vtkOITFrame& frame, const vtkOITS
   this->Mode = settings.WeightedMode;
   vtkOITShaderText text({ vtkOITFragmentFS, vtkOITWeightedGatherFS });
   text.Require({ "GL_ARB_explicit_attrib_location" });
+  text.Define("OIT_CLAMP_COLOR", frame.Target.ClampsColor);
   this->AddWeight(text);
   if (this->Gather.SetStage(text))
   {

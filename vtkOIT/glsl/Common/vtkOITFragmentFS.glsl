@@ -22,10 +22,16 @@ float oitGetOpacity()
   return oitFragColor.a > 0.0 ? min(oitFragColor.a, 1.0) : 0.0;
 }
 
-// Without what is not a number; it may be infinite.
+// Without what is not a number. In a fixed-point target OpenGL would clamp it before it blends
+// (OIT_CLAMP_COLOR); otherwise it may be infinite.
 vec3 oitGetRGB()
 {
-  return mix(oitFragColor.rgb, vec3(0.0), isnan(oitFragColor.rgb));
+  vec3 color = mix(oitFragColor.rgb, vec3(0.0), isnan(oitFragColor.rgb));
+#ifdef OIT_CLAMP_COLOR
+  return clamp(color, vec3(0.0), vec3(1.0));
+#else
+  return color;
+#endif
 }
 
 // Colour and opacity, finite, so that sums are.
