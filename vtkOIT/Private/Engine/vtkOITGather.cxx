@@ -4,12 +4,30 @@
 
 #include "Private/Engine/vtkOITGatherHook.h"
 
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkObjectFactory.h"
+#include "vtkProp.h"
+#include "vtkRenderState.h"
+
+#include <algorithm>
 
 namespace
 {
 /// Scenes have few different shaders; one that has more wraps some again.
 constexpr std::size_t MostTexts = 64;
+
+/// Whether passes around ours are asked about the shaders of a prop, too.
+bool HasOtherPasses(const vtkRenderState* state)
+{
+  vtkProp** first = state->GetPropArray();
+  return std::any_of(first, first + state->GetPropArrayCount(),
+    [](vtkProp* prop)
+    {
+      vtkInformation* keys = prop->GetPropertyKeys();
+      return keys && keys->Length(vtkOpenGLRenderPass::RenderPasses()) > 0;
+    });
+}
 }
 
 vtkStandardNewMacro(vtkOITGatherHook);
@@ -26,9 +44,14 @@ vtkOITGatherHook::~vtkOITGatherHook() = default;
 //------------------------------------------------------------------------------
 void vtkOITGatherHook::RenderBy(vtkRenderPass* delegate, const vtkRenderState* state)
 {
+  if (HasOtherPasses(state))
+  {
+    this->Binding = vtkOITDrawBinding::Query();
+  }
   this->PreRender(state);
   delegate->Render(state);
   this->PostRender(state);
+  this->Binding.reset();
 }
 
 //------------------------------------------------------------------------------
@@ -65,6 +88,10 @@ bool vtkOITGatherHook::PostReplaceShaderValues(
 bool vtkOITGatherHook::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
+  if (this->Binding)
+  {
+    this->Binding->SetAgain();
+  }
   if (this->Gather && this->Gather->Setter)
   {
     this->Gather->Setter(program, prop);

@@ -3,10 +3,12 @@
 #ifndef vtkOITGatherHook_h
 #define vtkOITGatherHook_h
 
+#include "Private/GL/vtkOITDrawBinding.h"
 #include "Private/GL/vtkOITShaderText.h"
 
 #include "vtkOpenGLRenderPass.h"
 
+#include <optional>
 #include <string>
 #include <unordered_map>
 
@@ -46,6 +48,8 @@ private:
   void operator=(const vtkOITGatherHook&) = delete;
 
   vtkOITShaderText Stage;
+  // Other passes around ours may change where the props are drawn into, before each draw.
+  std::optional<vtkOITDrawBinding> Binding;
   std::unordered_map<std::string, std::string> Wrapped; // texts of mappers, and what became of them
 };
 
