@@ -15,6 +15,7 @@ from pictures import Failure, command, environment, libraries
 SCENES = ("one-sphere@200x200", "spheres", "isosurfaces", "small-props", "deep", "disjoint")
 SIZE = "400x400"
 WARM_UP = 5
+TURN_SECONDS = 0.05
 
 
 def parse_size(text):
@@ -66,20 +67,24 @@ def methods_of(build):
 
 
 def _frames(workers, frames, budget):
-    """Times of the rounds, array n x 2 builds x 2: wall and processor time. frames: int. budget: float, seconds."""
+    """(times of the rounds, array n x 2 builds x 2: wall and processor time of a frame; frames of a round, int).
+    frames: int. budget: float, seconds."""
     for number in range(WARM_UP):
-        for worker in workers:
-            worker.ask(frame=number)
+        first = [worker.ask(frame=number)["frame"][1] for worker in workers]
+    # Short frames are taken several at once: a process that has waited for the other one begins slowly.
+    several = int(numpy.clip(TURN_SECONDS / max(*first, 1e-4), 1, 20))
     rounds, spent = [], 0.0
     for number in range(frames):
         times = [None, None]
         for i in (1, 0) if number % 2 else (0, 1):
-            times[i] = workers[i].ask(frame=number)["frame"]
+            if several > 1:
+                workers[i].ask(frame=number)
+            times[i] = numpy.median([workers[i].ask(frame=number)["frame"] for _ in range(several)], axis=0)
         rounds.append(times)
-        spent += times[0][0] + times[1][0]
+        spent += several * (times[0][0] + times[1][0])
         if spent > budget and number >= 8:
             break
-    return numpy.array(rounds)
+    return numpy.array(rounds), several
 
 
 def _spread(quotients):
@@ -90,27 +95,29 @@ def _spread(quotients):
 def alternate(build_a, build_b, scenes, methods, size, frames, budget):
     """Prints a Markdown table of the ratios B/A. scenes, methods: list of str. size: str. frames: int. budget: float,
     seconds of a row."""
+    chosen = [parse_scene(text, size) for text in scenes]
     methods = methods or methods_of(build_a)
     workers = [Worker(build, environment()) for build in (build_a, build_b)]
     quotients = []
     try:
-        print("| scene | method | frames | A ms | A processor ms | B/A time (quartiles) | "
+        print("| scene | method | rounds x frames | A ms | A processor ms | B/A time (quartiles) | "
               "B/A processor time (quartiles) |\n|---|---|---|---|---|---|---|")
-        for text in scenes:
-            scene, pixels = parse_scene(text, size)
+        for scene, pixels in chosen:
             for method in methods:
                 label = "| %s %dx%d | `%s` |" % (scene, *pixels, method)
                 opened = [worker.ask(open=[scene, method, pixels]) for worker in workers]
                 missing = [answer["missing"] for answer in opened]
+                if missing[0].startswith("no scene"):
+                    raise Failure(missing[0])
                 if any(missing):
                     print("%s - | %s | | | |" % (label, "; ".join(filter(None, dict.fromkeys(missing)))))
                 else:
-                    times = _frames(workers, frames, budget)
+                    times, several = _frames(workers, frames, budget)
                     ratio = times[:, 1] / times[:, 0]
                     quotients.append(numpy.median(ratio, axis=0))
                     milliseconds = 1000.0 * numpy.median(times[:, 0], axis=0)
-                    print("%s %d | %.2f | %.2f | %s | %s |" % (
-                        label, len(times), *milliseconds, _spread(ratio[:, 0]), _spread(ratio[:, 1])))
+                    print("%s %d x %d | %.2f | %.2f | %s | %s |" % (
+                        label, len(times), several, *milliseconds, _spread(ratio[:, 0]), _spread(ratio[:, 1])))
                 sys.stdout.flush()
                 for worker in workers:
                     worker.ask(close=0)
