@@ -3,6 +3,7 @@
 #include "vtkOITOSMesaRenderWindow.h"
 
 #include "Private/vtkOITOSMesaContext.h"
+#include "Private/vtkOITOSMesaLiveWindows.h"
 #include "Private/vtkOITOSMesaRedirection.h"
 
 #include "vtkCollection.h"
@@ -13,14 +14,7 @@
 #include "vtkRendererCollection.h"
 #include "vtk_glew.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <iostream>
-#include <mutex>
-#include <set>
 #include <sstream>
 #include <vector>
 
@@ -35,79 +29,6 @@ public:
   int Started = 0;
   std::string Report;
 };
-
-namespace
-{
-/**
- * The windows that have a context. Mesa tears itself down when the process exits, before static
- * objects are destroyed; what a window still holds then must be released earlier.
- */
-class LiveWindows
-{
-public:
-  static LiveWindows& Get()
-  {
-    static LiveWindows* instance = new LiveWindows; // never destroyed: a window may end later
-    return *instance;
-  }
-
-  void Add(vtkOITOSMesaRenderWindow* window)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    if (!this->HasExitHandler)
-    {
-      // Exit handlers run last in, first out, and Mesa set up its own for the first context.
-#ifdef __GLIBC__
-      this->HasExitHandler = on_exit(&LiveWindows::Exit, nullptr) == 0;
-#else
-      this->HasExitHandler = std::atexit([]() { LiveWindows::Get().Finalize(); }) == 0;
-#endif
-    }
-    this->Windows.insert(window);
-  }
-
-  void Remove(vtkOITOSMesaRenderWindow* window)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Windows.erase(window);
-  }
-
-private:
-  LiveWindows() = default;
-
-#ifdef __GLIBC__
-  static void Exit(int status, void*)
-  {
-    if (!vtkOITOSMesaContext::FindLossByFork().empty())
-    {
-      // Mesa's own handler would wait for threads that this process does not have.
-      std::cout.flush();
-      std::fflush(nullptr);
-      _exit(status);
-    }
-    LiveWindows::Get().Finalize();
-  }
-#endif
-
-  void Finalize()
-  {
-    while (vtkOITOSMesaRenderWindow* window = this->GetFirst())
-    {
-      window->Finalize(); // removes it
-    }
-  }
-
-  vtkOITOSMesaRenderWindow* GetFirst()
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    return this->Windows.empty() ? nullptr : *this->Windows.begin();
-  }
-
-  std::mutex Mutex;
-  std::set<vtkOITOSMesaRenderWindow*> Windows;
-  bool HasExitHandler = false;
-};
-}
 
 //------------------------------------------------------------------------------
 vtkOITOSMesaRenderWindow::vtkOITOSMesaRenderWindow()
@@ -168,7 +89,7 @@ void vtkOITOSMesaRenderWindow::CreateAWindow()
     vtkErrorMacro("no OpenGL context: " << error << ".");
     return;
   }
-  LiveWindows::Get().Add(this);
+  vtkOITOSMesaLiveWindows::Get().Add(this);
   this->Mapped = 1;
   this->OwnContext = 1;
   this->OpenGLInit();
@@ -187,7 +108,7 @@ void vtkOITOSMesaRenderWindow::DestroyWindow()
     this->MakeCurrent();
     this->ReleaseGraphicsResources(this);
   }
-  LiveWindows::Get().Remove(this);
+  vtkOITOSMesaLiveWindows::Get().Remove(this);
   this->Internals->Context.reset();
   vtkOITOSMesaContext::Restore(before);
   this->Internals->Stack.clear();

@@ -30,7 +30,8 @@ bool IsCalled(vtkObjectBase* object, const char* name)
 bool DrawsPlainSurface(vtkActor* actor, vtkPolyData* mesh)
 {
   vtkProperty* property = actor->GetProperty();
-  return !vtkOITDrawsSelection(actor->GetMapper(), 0) && property->GetRepresentation() == VTK_SURFACE && !property->GetEdgeVisibility() &&
+  return !vtkOITDrawsSelection(actor->GetMapper(), 0) &&
+    property->GetRepresentation() == VTK_SURFACE && !property->GetEdgeVisibility() &&
     !property->GetVertexVisibility() && !property->GetBackfaceCulling() &&
     !property->GetFrontfaceCulling() && mesh->GetNumberOfVerts() == 0 &&
     mesh->GetNumberOfLines() == 0 && mesh->GetNumberOfStrips() == 0;

@@ -54,11 +54,10 @@ bool IsPlain(vtkCamera* camera, const glm::dmat4& matrix)
   camera->GetClippingRange(near, far);
   const glm::dvec4 first = matrix * glm::dvec4(position + near * direction, 1.0);
   const glm::dvec4 last = matrix * glm::dvec4(position + far * direction, 1.0);
-  const bool hasDepth =
-    first.w > 0.0 && last.w > 0.0 && first.z / first.w < last.z / last.w;
+  const bool hasDepth = first.w > 0.0 && last.w > 0.0 && first.z / first.w < last.z / last.w;
   // Where all rays meet, or what they go along, is drawn nowhere: x, y and w are 0.
-  const glm::dvec4 origin = camera->GetParallelProjection() ? glm::dvec4(direction, 0.0)
-                                                            : glm::dvec4(position, 1.0);
+  const glm::dvec4 origin =
+    camera->GetParallelProjection() ? glm::dvec4(direction, 0.0) : glm::dvec4(position, 1.0);
   const glm::dvec4 image = matrix * origin;
   double scale = 0.0; // of the products that x, y and w are sums of
   for (int column = 0; column < 4; ++column)
