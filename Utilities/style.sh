@@ -73,7 +73,7 @@ check_length()
 floor()
 {
   case $1 in
-    Frame) echo 1 ;;
+    Frame | Hook) echo 1 ;;
     GL) echo 2 ;;
     Engine) echo 3 ;;
     ABuffer | Blending | Peeling | Weighted) echo 4 ;;

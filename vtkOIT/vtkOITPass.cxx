@@ -32,6 +32,16 @@ public:
   {
   }
 
+  /// While one lives, a frame is being drawn by a pass of ours, in this thread.
+  struct Drawing
+  {
+    Drawing() { IsDrawing = true; }
+    ~Drawing() { IsDrawing = false; }
+    Drawing(const Drawing&) = delete;
+    Drawing& operator=(const Drawing&) = delete;
+  };
+  static inline thread_local bool IsDrawing = false;
+
   const vtkOITCapabilities& QueryCapabilities(vtkOpenGLRenderWindow* window)
   {
     if (!this->Capabilities || this->CapabilitiesWindow != window)
@@ -55,6 +65,7 @@ vtkOITPass::vtkOITPass(std::unique_ptr<vtkOITEngine> engine)
   : TranslucentPass(vtkSmartPointer<vtkTranslucentPass>::New())
   , Impl(std::make_unique<Internals>(std::move(engine)))
 {
+  this->SetNotAsked();
 }
 
 //------------------------------------------------------------------------------
@@ -136,6 +147,15 @@ void vtkOITPass::Render(const vtkRenderState* state)
     this->NumberOfRenderedProps = this->TranslucentPass->GetNumberOfRenderedProps();
     return;
   }
+  if (Internals::IsDrawing)
+  {
+    this->Impl->Statistics.Fault = "A vtkOITPass is drawn inside of another one; it leaves the "
+                                   "props to its TranslucentPass. Take "
+                                   "it out of the other one's chain";
+    this->TranslucentPass->Render(state);
+    this->Report();
+    return;
+  }
   std::vector<vtkProp*> props = vtkOITFindTranslucentProps(state);
   if (props.empty())
   {
@@ -172,6 +192,7 @@ void vtkOITPass::Draw(const vtkRenderState* state, std::vector<vtkProp*> props)
   {
     return;
   }
+  const Internals::Drawing drawing;
   vtkOITDelegate delegate(this->TranslucentPass, state);
   const vtkOITSettings settings = this->MakeSettings(*frame.Capabilities);
   impl.Runner.Run(this->MakePlan(frame, settings), settings, delegate, saved, impl.Statistics);
@@ -227,6 +248,14 @@ void vtkOITPass::ResetStatistics()
 {
   this->NumberOfRenderedProps = 0;
   this->Impl->Statistics = {};
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPass::SetNotAsked()
+{
+  this->ResetStatistics();
+  this->Impl->Statistics.NoteError(1.0);
+  this->Impl->Statistics.Reason = "the pass was not asked to draw";
 }
 
 //------------------------------------------------------------------------------
@@ -287,10 +316,12 @@ double vtkOITPass::GetErrorBound() const
 //------------------------------------------------------------------------------
 void vtkOITPass::SetTranslucentPass(vtkRenderPass* pass)
 {
-  if (pass == this)
+  if (vtkOITPass::SafeDownCast(pass))
   {
-    vtkErrorMacro("The pass is refused as its own TranslucentPass; give the pass that draws the "
-                  "props, e.g. a vtkTranslucentPass");
+    vtkErrorMacro(
+      "A " << pass->GetClassName()
+           << " is refused as TranslucentPass; give the pass that draws the props, e.g. "
+              "a vtkTranslucentPass");
     return;
   }
   if (this->TranslucentPass != pass)

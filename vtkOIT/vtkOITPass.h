@@ -61,7 +61,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /// The delegate that draws the translucent props once per geometry pass. Default: a
-  /// vtkTranslucentPass. nullptr is an error at render time; the pass itself is refused.
+  /// vtkTranslucentPass. nullptr is an error at render time; a vtkOITPass is refused.
   ///@{
   virtual void SetTranslucentPass(vtkRenderPass* pass);
   vtkRenderPass* GetTranslucentPass();
@@ -128,6 +128,10 @@ public:
   /// vtkOITRendererHook does so for frames in which the renderer finds nothing translucent, and so
   /// does not render the pass.
   void ResetStatistics();
+
+  /// Sets the statistics to those of a frame with translucent props that the pass was not asked to
+  /// draw, as before the first frame: not exact, no passes. vtkOITRendererHook does so.
+  void SetNotAsked();
 
   /// Statistics of the last Render().
   ///@{
