@@ -136,6 +136,97 @@ private:
   GLuint Texture = 0;
 };
 
+/// States that nobody expects: neither VTK nor the pass sets them, but they change what is drawn or
+/// read. GL_LESS only keeps what is at the depth of opaque geometry, which there is none of.
+class HostileState
+{
+public:
+  void Set(vtkOpenGLState*)
+  {
+    for (const GLenum capability : Capabilities)
+    {
+      glEnable(capability);
+    }
+    glLogicOp(GL_XOR);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    glPolygonOffset(-3.0f, -5000.0f);
+    glFrontFace(GL_CW);
+    glSampleCoverage(0.0f, GL_FALSE);
+    glSampleMaski(0, 0);
+    glDepthFunc(GL_LESS);
+    glColorMaski(1, GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE);
+    glDisablei(GL_BLEND, 2);
+    glClampColor(GL_CLAMP_READ_COLOR, GL_TRUE);
+    for (const GLenum name : { GL_PACK_ROW_LENGTH, GL_UNPACK_ROW_LENGTH, GL_UNPACK_IMAGE_HEIGHT })
+    {
+      glPixelStorei(name, 1000);
+    }
+    for (const GLenum name :
+      { GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_ROWS })
+    {
+      glPixelStorei(name, 7);
+    }
+    glPixelStorei(GL_PACK_ALIGNMENT, 8);
+    glGenBuffers(1, &this->Buffer);
+    for (const GLenum target : { GL_PIXEL_PACK_BUFFER, GL_PIXEL_UNPACK_BUFFER })
+    {
+      glBindBuffer(target, this->Buffer);
+      glBufferData(target, 16, nullptr, GL_STREAM_DRAW);
+    }
+    glGenTextures(4, this->Textures);
+    glGenSamplers(1, &this->Sampler);
+    glSamplerParameteri(this->Sampler, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    GLint active = 0;
+    glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
+    for (int i = 0; i < 4; ++i)
+    {
+      glActiveTexture(GL_TEXTURE0 + 12 + i);
+      glBindTexture(i % 2 ? GL_TEXTURE_2D : GL_TEXTURE_2D_ARRAY, this->Textures[i]);
+      glBindSampler(12 + i, this->Sampler);
+    }
+    glActiveTexture(active);
+  }
+
+  void Undo(vtkOpenGLState*)
+  {
+    for (const GLenum capability : Capabilities)
+    {
+      glDisable(capability);
+    }
+    glLogicOp(GL_COPY);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glPolygonOffset(0.0f, 0.0f);
+    glFrontFace(GL_CCW);
+    glSampleCoverage(1.0f, GL_FALSE);
+    glSampleMaski(0, ~0u);
+    glDepthFunc(GL_LEQUAL);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glEnablei(GL_BLEND, 2);
+    glClampColor(GL_CLAMP_READ_COLOR, GL_FIXED_ONLY);
+    for (const GLenum name : { GL_PACK_ROW_LENGTH, GL_UNPACK_ROW_LENGTH, GL_UNPACK_IMAGE_HEIGHT,
+           GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_ROWS })
+    {
+      glPixelStorei(name, 0);
+    }
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    for (GLuint unit = 12; unit < 16; ++unit)
+    {
+      glBindSampler(unit, 0);
+    }
+    glDeleteBuffers(1, &this->Buffer);
+    glDeleteTextures(4, this->Textures);
+    glDeleteSamplers(1, &this->Sampler);
+  }
+
+private:
+  static constexpr GLenum Capabilities[] = { GL_COLOR_LOGIC_OP, GL_POLYGON_OFFSET_FILL,
+    GL_PRIMITIVE_RESTART, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK,
+    GL_CLIP_DISTANCE0, GL_CLIP_DISTANCE0 + 3, GL_RASTERIZER_DISCARD };
+  GLuint Buffer = 0;
+  GLuint Textures[4] = { 0, 0, 0, 0 };
+  GLuint Sampler = 0;
+};
+
 void CheckProbe(Report& report, StateProbe* probe, const std::string& what)
 {
   report.Check(probe->NumberOfRenders > 0, what + ": the pass was not rendered");
@@ -198,5 +289,18 @@ int TestGLState(int argc, char* argv[])
         "in an odd state, scissored to the left half", rig.Render(),
         [&](int x, int) { return x < Width / 2 ? composite : background; }, bound);
       CheckProbe(report, probe, "odd state");
+
+      rig.Pass->SetMaximumBufferSize(0);
+      HostileState hostile;
+      probe->Prepare = [&hostile](vtkOpenGLState* state) { hostile.Set(state); };
+      probe->Undo = [&hostile](vtkOpenGLState* state) { hostile.Undo(state); };
+      for (int frame = 0; frame < 2; ++frame)
+      {
+        report.Compare("in a hostile state", rig.Render(), Everywhere(composite), bound);
+        report.Check(rig.Pass->GetMaximumDepthComplexity() >= 39 || rig.Pass->IsA("vtkOITAutoPass"),
+          "in a hostile state: the depth complexity is " +
+            std::to_string(rig.Pass->GetMaximumDepthComplexity()));
+        CheckProbe(report, probe, "hostile state");
+      }
     });
 }

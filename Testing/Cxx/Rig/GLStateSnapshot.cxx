@@ -49,8 +49,8 @@ const Name Integers[] = { vtkOITName(GL_BLEND_SRC_RGB), vtkOITName(GL_BLEND_DST_
   vtkOITName(GL_PACK_ROW_LENGTH), vtkOITName(GL_PACK_SKIP_PIXELS), vtkOITName(GL_PACK_SKIP_ROWS),
   vtkOITName(GL_UNPACK_ALIGNMENT), vtkOITName(GL_UNPACK_ROW_LENGTH),
   vtkOITName(GL_UNPACK_SKIP_PIXELS), vtkOITName(GL_UNPACK_SKIP_ROWS),
-  vtkOITName(GL_UNPACK_IMAGE_HEIGHT), vtkOITName(GL_PROVOKING_VERTEX),
-  vtkOITName(GL_LOGIC_OP_MODE) };
+  vtkOITName(GL_UNPACK_IMAGE_HEIGHT), vtkOITName(GL_PROVOKING_VERTEX), vtkOITName(GL_LOGIC_OP_MODE),
+  vtkOITName(GL_POLYGON_MODE), vtkOITName(GL_CLAMP_READ_COLOR) };
 
 const Name Floats[] = { vtkOITName(GL_COLOR_CLEAR_VALUE), vtkOITName(GL_DEPTH_CLEAR_VALUE),
   vtkOITName(GL_DEPTH_RANGE), vtkOITName(GL_BLEND_COLOR), vtkOITName(GL_LINE_WIDTH),
@@ -148,6 +148,24 @@ GLStateSnapshot GLStateSnapshot::Take(Extent extent)
       snapshot.Values[Indexed(name.Text, i)] = std::to_string(value);
     }
   }
+  // Those of the active unit are anybody's; others are kept.
+  const GLint active = []
+  {
+    GLint unit = 0;
+    glGetIntegerv(GL_ACTIVE_TEXTURE, &unit);
+    return unit;
+  }();
+  for (int unit = 12; unit < 16; ++unit)
+  {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    for (const GLenum name : { GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_2D_ARRAY,
+           GL_TEXTURE_BINDING_BUFFER, GL_SAMPLER_BINDING })
+    {
+      snapshot.Values[Indexed("binding of texture unit", unit) + std::to_string(name)] =
+        GetIntegers(name);
+    }
+  }
+  glActiveTexture(active);
   for (const GLenum target : { GL_SAMPLES_PASSED, GL_ANY_SAMPLES_PASSED, GL_TIME_ELAPSED })
   {
     GLint query = 0;

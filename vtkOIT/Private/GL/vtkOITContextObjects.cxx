@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/GL/vtkOITContextObjects.h"
 
+#include "Private/GL/vtkOITAllocation.h"
+
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkTextureObject.h"
 
@@ -21,6 +23,7 @@ bool vtkOITContextObjects::Attach(vtkOpenGLRenderWindow* window)
   this->Release();
   this->Marker = vtkSmartPointer<vtkTextureObject>::New();
   this->Marker->SetContext(window);
+  const vtkOITAllocation allocation;
   this->Marker->Allocate2D(1, 1, 1, VTK_UNSIGNED_CHAR);
   return false;
 }

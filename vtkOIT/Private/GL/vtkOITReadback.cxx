@@ -25,6 +25,8 @@ vtkOITReadback::vtkOITReadback()
   }
   glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &this->PackBuffer);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  glGetIntegerv(GL_CLAMP_READ_COLOR, &this->ClampsColor);
+  glClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
 }
 
 //------------------------------------------------------------------------------
@@ -35,4 +37,5 @@ vtkOITReadback::~vtkOITReadback()
     glPixelStorei(Plain[i].Name, this->Parameters[i]);
   }
   glBindBuffer(GL_PIXEL_PACK_BUFFER, this->PackBuffer);
+  glClampColor(GL_CLAMP_READ_COLOR, static_cast<GLenum>(this->ClampsColor));
 }

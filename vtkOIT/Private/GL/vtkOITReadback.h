@@ -8,7 +8,7 @@
 #include <array>
 
 /// While it lives, pixels are read into plain memory, one after the other: the pixel-store
-/// parameters and the pack buffer of the application are set aside, and restored at its end.
+/// parameters, the pack buffer and the clamping of colours of the application are set aside, and restored at its end.
 class vtkOITReadback
 {
 public:
@@ -20,6 +20,7 @@ public:
 private:
   std::array<GLint, 8> Parameters{};
   GLint PackBuffer = 0;
+  GLint ClampsColor = GL_FIXED_ONLY;
 };
 
 #endif

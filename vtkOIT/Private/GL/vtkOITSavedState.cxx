@@ -31,6 +31,7 @@ vtkOITRectangle GetRectangle(GLenum name)
 //------------------------------------------------------------------------------
 vtkOITSavedState::vtkOITSavedState(vtkOpenGLState* state, const vtkOITTarget& target)
   : State(state)
+  , Neutral(state)
   , Target(target)
 {
   this->ReadFramebuffer = GetInteger(GL_READ_FRAMEBUFFER_BINDING);
@@ -48,10 +49,7 @@ vtkOITSavedState::vtkOITSavedState(vtkOpenGLState* state, const vtkOITTarget& ta
   this->Blends = glIsEnabled(GL_BLEND) == GL_TRUE;
   this->TestsScissor = glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE;
   this->Multisamples = glIsEnabled(GL_MULTISAMPLE) == GL_TRUE;
-  this->HasLogicOperation = glIsEnabled(GL_COLOR_LOGIC_OP) == GL_TRUE;
-  this->LogicOperation = GetInteger(GL_LOGIC_OP_MODE);
   this->Restore(); // makes the cache true
-  glDisable(GL_COLOR_LOGIC_OP);
 }
 
 //------------------------------------------------------------------------------
@@ -67,11 +65,7 @@ void vtkOITSavedState::SetAgain() const
   {
     this->Target.DrawToAllBuffers();
   }
-  glLogicOp(this->LogicOperation);
-  if (this->HasLogicOperation)
-  {
-    glEnable(GL_COLOR_LOGIC_OP);
-  }
+  this->Neutral.SetAgain();
 }
 
 //------------------------------------------------------------------------------

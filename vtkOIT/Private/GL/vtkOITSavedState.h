@@ -6,6 +6,7 @@
 #include "Private/Frame/vtkOITCompatibility.h"
 #include "Private/Frame/vtkOITRectangle.h"
 #include "Private/Frame/vtkOITTarget.h"
+#include "Private/GL/vtkOITNeutralState.h"
 
 #include <array>
 
@@ -20,8 +21,8 @@ class vtkOpenGLState;
  * texture, viewport, scissor, blend function and equation, depth function and mask, colour mask,
  * cull face, and the capabilities blend, depth test, scissor test, cull face and multisample. The
  * others are restored with GL calls: draw buffers of the bound framebuffer, the bound renderbuffer
- * and vertex array, the logic operation on colours (which is off while the pass draws), and after AddStorage() image
- * units and storage buffers.
+ * and vertex array, and after AddStorage() image units and storage buffers. States that a pass only
+ * wants to be neutral are those of vtkOITNeutralState.
  */
 class vtkOITSavedState
 {
@@ -38,6 +39,8 @@ public:
 
   /// What was saved is set again, for a part of the frame that VTK draws by itself.
   void SetAgain() const;
+  /// And after that part.
+  void SetNeutral() const { this->Neutral.SetNeutral(); }
 
   const vtkOITRectangle& GetViewport() const { return this->Viewport; }
   /// The scissor, or the viewport where there is none.
@@ -65,6 +68,7 @@ private:
   void RestoreStorage() const;
 
   vtkOpenGLState* State;
+  vtkOITNeutralState Neutral;
   vtkOITTarget Target;
   bool HasStorage = false;
   GLint ReadFramebuffer = 0;
@@ -81,8 +85,6 @@ private:
   bool Blends = false;
   bool TestsScissor = false;
   bool Multisamples = false;
-  bool HasLogicOperation = false;
-  GLint LogicOperation = GL_COPY;
   std::array<ImageUnit, BindingCount> ImageUnits;
   std::array<StorageBinding, BindingCount> StorageBindings;
   GLint StorageBuffer = 0;

@@ -144,7 +144,7 @@ void vtkOITSorters::DrawUnsorted(
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(r.X, r.Y, r.Width, r.Height);
   geometry.DrawUnsorted(frame.Props);
-  glDisable(GL_COLOR_LOGIC_OP);
+  saved.SetNeutral();
 }
 
 //------------------------------------------------------------------------------
