@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# style.sh: checks the tracked files: layout (clang-format 14), licence headers, file lengths.
+# style.sh: checks the tracked files: layout (clang-format 14), licence headers, file lengths, and
+# that the folders of vtkOIT/Private include each other only downwards.
 # style.sh --fix: brings the layout in order instead of checking it.
 # style.sh --tidy [BUILD FOLDER]: clang-tidy as well (slow), with the folder's compile commands;
 # default build.
@@ -13,6 +14,8 @@ set -eu
 . "$(dirname -- "$0")/common.sh"
 cd "$root"
 status=0
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
 
 complain()
 {
@@ -57,12 +60,54 @@ check_length()
 {
   for file in $(tracked '*.cxx' '*.h' '*.glsl' '*.py' '*.sh' '*.cmake' '*CMakeLists.txt'); do
     lines=$(wc -l <"$file")
-    if [ "$lines" -gt 500 ]; then
-      complain "$file: $lines lines; split it (at most 500)"
+    case $file in vtkOIT/*) most=400 ;; *) most=500 ;; esac
+    if [ "$lines" -gt "$most" ]; then
+      complain "$file: $lines lines; split it (at most $most)"
     elif [ "$lines" -gt 200 ] && [ "${file%.h}" != "$file" ]; then
       printf '%s\n' "$file: note: $lines lines; headers of at most 200 are the aim"
     fi
   done
+}
+
+# The floor of a folder of vtkOIT/Private; see its README.md.
+floor()
+{
+  case $1 in
+    Frame | Hook) echo 1 ;;
+    GL) echo 2 ;;
+    Engine) echo 3 ;;
+    ABuffer | Blending | Peeling | Weighted) echo 4 ;;
+    Plan) echo 5 ;;
+    Auto) echo 6 ;;
+    *) echo 0 ;;
+  esac
+}
+
+# A file includes only files of its own folder and of lower floors, and no public class.
+check_arrows()
+{
+  tracked 'vtkOIT/Private/*.h' 'vtkOIT/Private/*.cxx' | xargs grep -Ho '^#include "[^"]*"' |
+    sed 's|^vtkOIT/Private/\([^/]*\)/\([^:]*\):#include "\([^"]*\)"|\1 \2 \3|' >"$scratch/arrows"
+  while read -r folder file included; do
+    from=$(floor "$folder")
+    [ "$from" != 0 ] || complain "vtkOIT/Private/$folder: no floor; add it to Utilities/style.sh"
+    case $included in
+      Private/*)
+        other=${included#Private/}
+        other=${other%%/*}
+        [ "$other" = "$folder" ] || [ "$(floor "$other")" -lt "$from" ] ||
+          complain "vtkOIT/Private/$folder/$file includes $included, which is not below it"
+        ;;
+      vtkOIT*)
+        [ ! -f "vtkOIT/$included" ] ||
+          complain "vtkOIT/Private/$folder/$file includes the public $included"
+        ;;
+    esac
+  done <"$scratch/arrows"
+  # tsort tells about cycles.
+  sed -n 's|^\([^ ]*\) \([^ ]*\.h\) Private/\(.*\)|\1/\2 \3|p' "$scratch/arrows" |
+    tsort >/dev/null 2>"$scratch/cycles" || true
+  [ ! -s "$scratch/cycles" ] || complain "headers include each other: $(tr '\n' ' ' <"$scratch/cycles")"
 }
 
 check_shell()
@@ -91,6 +136,7 @@ esac
 check_format "${1:-}"
 check_licence
 check_length
+check_arrows
 check_shell
 if [ "${1:-}" = --tidy ]; then
   run_tidy "${2:-}"

@@ -4,48 +4,54 @@
  * @class   vtkOITABufferPass
  * @brief   exact transparency in one geometry pass: all fragments, sorted per pixel
  *
- * The A-buffer (Carpenter, The A-buffer, an antialiased hidden surface method, SIGGRAPH 1984) as
- * lists of fragments built on the graphics processor (Yang, Hensley, Grün and Thibieroz, Real-time
- * concurrent linked list construction on the GPU, EGSR 2010):
+ * Keeps every translucent fragment of a frame in a list per pixel, sorts the lists and composites
+ * them. The fastest exact method for scenes that need sorting; its memory grows with the number of
+ * fragments. docs/vtkOITABufferPass.md has a picture, the stages and the limits.
  *
- * 0. Solid, where it pays: props that can have fragments of opacity 1 are drawn into a copy of the
- *    depth buffer, which takes only these fragments. See SkipHiddenFragments.
+ * The A-buffer (Carpenter, The A-buffer, an antialiased hidden surface method, SIGGRAPH 1984) with
+ * linked lists that are built on the graphics processor (Yang, Hensley, Grün and Thibieroz,
+ * Real-time concurrent linked list construction on the GPU, EGSR 2010). One frame:
+ *
+ * 0. Solid, only where it pays: props that can have fragments of opacity 1 are drawn into a copy
+ *    of the depth buffer, which takes only those fragments. See SkipHiddenFragments.
  * 1. Gather: the props are drawn once, under the hardware's depth test against the opaque
- *    geometry. Each fragment takes a node of one pool, from an atomic counter or from the page of
- *    four nodes that its pixel took from it, and becomes the head of its pixel's list: by
- *    framebuffer fetch where shaders can read the framebuffer, otherwise by an atomic exchange.
- *    Nothing is drawn.
- * 2. Resolve: each tile of 16 x 16 pixels is drawn with the smallest sorting network that takes the
- *    depth complexity which the tile had in the last frame, up to 32 fragments, and up to 64 from
- *    the ninth frame on that has such tiles: that network takes seconds to compile. A pixel loads
- * its list into registers, sorts it by depth and composites it front to back, `C += T α c`, `T -= T
- * α` in float32, over what the framebuffer holds.
- * 3. The counters and the depth complexity of tiles are read back. Tiles with pixels that had more
- *    fragments than expected are drawn again for these pixels; of longer lists the nearest
- * fragments may be enough (TransmittanceThreshold, opacity 1); other long lists and coincident
- *    fragments are merge-sorted in place and composited. Lists that were drawn in order, in either
- *    direction, are not merged.
- * 4. When the pool was too small, Resolve has drawn nothing; the pool grows to the size that was
- *    counted and the frame is rendered again. Where it may not grow (MaximumBufferSize, limits of
- *    the context) the rectangle is rendered in bands that fit. The next frame starts with what was
- *    needed.
+ *    geometry. Each fragment is stored in a node of a common pool and becomes the head of its
+ *    pixel's list. Where shaders can read the framebuffer, a framebuffer of the pass holds the list
+ *    heads, and a pixel takes nodes from the pool four at a time. Elsewhere each fragment takes one
+ *    node from an atomic counter and enters the list by an atomic exchange. No colours are drawn.
+ * 2. Resolve: the screen is processed in tiles of 16 x 16 pixels. A pixel loads its list into
+ *    registers, sorts it by depth with a sorting network, and composites it front to back,
+ *    `C += T α c`, `T -= T α` in float32, over what the framebuffer holds. The network has the size
+ *    that the depth complexity of the tile in the last frame calls for: up to 32 fragments, and up
+ *    to 64 from the ninth frame on that has such tiles, because that shader takes seconds to
+ *    compile.
+ * 3. The counters and the depth complexity of the tiles are read back. Tiles with pixels that had
+ *    more fragments than expected are drawn again for these pixels. Of longer lists the nearest
+ *    fragments may be enough (TransmittanceThreshold, or a fragment of opacity 1). All other long
+ *    lists, and lists with coincident fragments, are merge-sorted in memory and composited; lists
+ *    whose fragments were drawn front to back or back to front need no merging.
+ * 4. When the pool was too small, Resolve has drawn nothing: the pool grows to the size that was
+ *    counted, and the frame is rendered again. Where the pool may not grow (MaximumBufferSize,
+ *    limits of the context), the screen rectangle is rendered in bands that fit. The next frame
+ *    starts with what this one needed.
  *
- * Coincident fragments, whose float32 window depths are equal to the bit, count once each: as a
- * group they have the opacity `1 - Π(1 - α_i)` and the mean of their colours weighted by opacity.
- * The picture is the same to the last bit for every order of drawing.
+ * Coincident fragments, whose float32 window depths are equal to the bit, form a group with the
+ * opacity `1 - Π(1 - α_i)` and the mean of their colours weighted by opacity. So the picture is the
+ * same to the last bit for every drawing order.
  *
- * Multisampled framebuffers are resolved once a sample, from the coverage that each fragment had
- * after the depth test; one depth and colour per pixel and fragment, as in multisampling itself.
+ * Multisampled framebuffers are resolved once per sample, from the coverage that each fragment had
+ * after the depth test. A fragment has one depth and one colour per pixel, as in multisampling
+ * itself.
  *
- * Geometry passes: 1, when the pool was too small 2, with bands 1 each; one more where hidden
- * fragments are left out. Memory: 4 bytes per pixel, 8 where hidden fragments are left out, plus 16
- * bytes per fragment; 32 per fragment for float32 colours or multisampling. Where shaders read the
- * framebuffer, pixels take nodes by fours. Needs GL 4.3
- * with ARB_clear_texture (any GL 4.4, Mesa's llvmpipe).
+ * Geometry passes: 1; 2 when the pool was too small; 1 per band; one more where hidden fragments
+ * are left out. Memory: 4 bytes per pixel, 8 where hidden fragments are left out, and 16 bytes per
+ * fragment, 32 with float32 colours or multisampling. Needs OpenGL 4.3 with ARB_clear_texture, that
+ * is any OpenGL 4.4; Mesa's software renderer llvmpipe has it.
  *
  * Exact: yes, unless TransmittanceThreshold is set. Colours are stored as half floats by default:
- * an error of at most 2^-11 of each colour and opacity, clamped to [0, 65504]; FLOAT keeps them as
- * they are. Limits: a prop whose mapper knows nothing of vtkOpenGLRenderPass draws nothing.
+ * an error of at most 2^-11 of each colour and opacity, clamped to [0, 65504]; FragmentPrecision
+ * FLOAT stores them as they are. Limits: a prop whose mapper does not support vtkOpenGLRenderPass
+ * is not drawn.
  *
  * @sa vtkOITPass
  */
@@ -56,9 +62,8 @@
 #include "vtkOITModule.h" // for the export macro
 #include "vtkOITPass.h"
 
-#include <memory> // for the private parts
-
 class vtkFloatArray;
+class vtkOITABufferEngine;
 
 class VTKOIT_EXPORT vtkOITABufferPass : public vtkOITPass
 {
@@ -66,7 +71,6 @@ public:
   static vtkOITABufferPass* New();
   vtkTypeMacro(vtkOITABufferPass, vtkOITPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /// Leave out fragments behind those of opacity 1 of translucent props, as scalars and textures
   /// give them: they are invisible. Before Gather, the depth of the props that can have such
@@ -78,16 +82,6 @@ public:
   vtkSetMacro(SkipHiddenFragments, bool);
   vtkGetMacro(SkipHiddenFragments, bool);
   vtkBooleanMacro(SkipHiddenFragments, bool);
-  ///@}
-
-  /// Lists of more than 32 fragments are composited up to the first behind which the transmittance
-  /// is at most this. Often the nearest 24 are enough for it, and the list need not be sorted. In
-  /// [0, 1], default 0: only what is behind an opacity of 1, so the result is exact. 1/512 is half
-  /// a step of 8 bits. Coincident fragments make shorter lists count, too. GetErrorBound() is the
-  /// largest transmittance in front of what was skipped.
-  ///@{
-  vtkSetClampMacro(TransmittanceThreshold, double, 0.0, 1.0);
-  vtkGetMacro(TransmittanceThreshold, double);
   ///@}
 
   /// Whether the last frame left out hidden fragments: GetNumberOfFragments(),
@@ -107,36 +101,19 @@ public:
   /// works. Not for every frame.
   bool GetFragments(vtkFloatArray* fragments);
 
-  /// Called by mappers: the change of their shaders, and its uniforms.
-  ///@{
-  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
-    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
-  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
-    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
-  vtkMTimeType GetShaderStageMTime() override;
-  ///@}
-
 protected:
   vtkOITABufferPass();
   ~vtkOITABufferPass() override;
 
-  void RenderTranslucent(vtkOITFrame& frame) override;
-  const char* GetOwnAlgorithmName() override { return "A-buffer"; }
-  std::string FindMissingCapability(const vtkOITCapabilities& capabilities) override;
+  vtkOITSettings MakeSettings(const vtkOITCapabilities& capabilities) const override;
 
   bool SkipHiddenFragments = true;
-  double TransmittanceThreshold = 0.0;
 
 private:
   vtkOITABufferPass(const vtkOITABufferPass&) = delete;
   void operator=(const vtkOITABufferPass&) = delete;
 
-  bool DrawSolidDepth(vtkOITFrame& frame);
-  vtkTypeInt64 RenderBand(vtkOITFrame& frame);
-  void AddStatistics(vtkTypeInt64 fragments, vtkTypeInt64 depthComplexity, double skipped);
-
-  class Internals;
-  std::unique_ptr<Internals> Impl;
+  vtkOITABufferEngine* Engine;
 };
 
 #endif

@@ -2,40 +2,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkOITAutoPass
- * @brief   exact transparency by the cheapest method for a scene, without what it does not need
+ * @brief   exact transparency by the cheapest method for a scene, without the work it does not need
  *
- * What most applications want. One frame:
+ * The default choice. docs/vtkOITAutoPass.md has a picture and says what is skipped, and when.
+ * One frame:
  *
- * 1. Props that leave no trace are left out: empty, outside of the view, of opacity 0
- *    (SkipInvisibleProps).
+ * 1. Props that cannot be seen are left out: empty ones, those outside of the view, and those of
+ *    opacity 0 (SkipInvisibleProps).
  * 2. When nothing has changed since the last frame, its layer of all translucent props is
- *    composited again (ReuseFrames). Changes are seen in the camera, the viewport, the lights, the
- *    modification times of the props and all that they are made from, and in the depth of the
- * opaque geometry, which is compared pixel by pixel. The layer is kept from the second frame
- * without a change on, so frames of a moving camera cost nothing more.
- * 3. Props that need no sorting are blended (SkipSorting): islands of the screen in which all props
- *    are proven to be flat and convex, or closed and convex, and to have an order by their bounds,
- *    or to be in each other.
- *    They are drawn back to front, of closed ones the far faces first: into the framebuffer where a
- *    pixel has one layer, otherwise into a float32 layer; up to 3 layers into the framebuffer with
- *    the float32 layer beside it, where shaders can read both (framebuffer fetch).
- * 4. All others are sorted by the A-buffer, in bands when its fragments do not fit into memory.
- * Where that cannot run: by multi-layer peeling, or with a FragmentPrecision of FLOAT by dual depth
- *    peeling, which also takes over where neither of the others can run.
+ *    composited again (ReuseFrames). Changes are detected in the camera, the viewport, the lights,
+ *    the modification times of the props and of all that they are made from, and in the depth of
+ *    the opaque geometry, which is compared pixel by pixel. The layer is kept from the second
+ *    unchanged frame on, so a moving camera costs nothing more.
+ * 3. Props that need no sorting are blended (SkipSorting). These are groups of props, separate on
+ *    the screen from all others, in which each prop is proven to be convex, flat or closed, and any
+ *    two props that overlap have an order that follows from their bounds, or one lies inside of the
+ *    other. They are drawn back to front, of closed props the far faces before the near faces:
+ *    into the framebuffer where no pixel has more than one layer, otherwise into a float32 layer.
+ *    Where shaders can read the framebuffer, up to 3 layers are drawn into the framebuffer and the
+ *    float32 layer at once.
+ * 4. All other props are sorted by the A-buffer, in bands when its fragments do not fit into
+ *    memory. Where the A-buffer cannot run, dual depth peeling draws them.
  *
- * GetAlgorithmName() names the method that drew the frame, GetSkipSummary() what was skipped, and
- * why.
+ * GetAlgorithmName() names the method that drew the frame, GetAlgorithmReason() says why, and
+ * GetSkipSummary() says what was skipped.
  *
  * Geometry passes: 0 when a frame is reused; 1 for blending, 2 or more with closed props; 1 for the
- * A-buffer; see the others for theirs. Memory per pixel: 16 bytes where layers are blended or
- * frames reused, and 8 for reuse; otherwise that of the method. It stays within MaximumBufferSize.
- * Needs what one of the methods needs.
+ * A-buffer; about N/6 or N/2 for N layers by dual depth peeling. Memory per pixel: 16 bytes where
+ * props are blended, 24 where frames are reused, otherwise that of the method. All of it stays
+ * within MaximumBufferSize. Needs OpenGL 3.2 with ARB_explicit_attrib_location, and for the
+ * A-buffer OpenGL 4.4.
  *
- * Exact: as the method. Blending adds nothing to it: orders are proven up to the resolution of
- * float32 coordinates. NumberOfFragments and MaximumDepthComplexity are negative when props were
- * blended: nobody counts.
+ * Exact: as the method that sorts. Blending adds no error: orders are proven up to the resolution
+ * of float32 coordinates. NumberOfFragments and MaximumDepthComplexity are negative (unknown) in
+ * frames in which props were blended.
  *
- * @sa vtkOITABufferPass vtkOITMultiLayerPeelingPass vtkOITDualDepthPeelingPass
+ * @sa vtkOITABufferPass vtkOITDualDepthPeelingPass
  */
 
 #ifndef vtkOITAutoPass_h
@@ -45,8 +47,6 @@
 #include "vtkOITPass.h"
 
 #include <memory> // for the private parts
-
-class vtkOITBlendPlan;
 
 class VTKOIT_EXPORT vtkOITAutoPass : public vtkOITPass
 {
@@ -87,57 +87,35 @@ public:
   vtkBooleanMacro(ReuseFrames, bool);
   ///@}
 
-  /// As vtkOITPeelingPass::SetTransmittanceThreshold(), for frames that are peeled and for long
-  /// lists of the A-buffer (vtkOITABufferPass::SetTransmittanceThreshold()): layers behind a
-  /// transmittance of at most this are skipped, [0, 1], default 1/512, 0 for none.
-  ///@{
-  vtkSetClampMacro(TransmittanceThreshold, double, 0.0, 1.0);
-  vtkGetMacro(TransmittanceThreshold, double);
-  ///@}
-
   /// What the last frame did without, and why; one line, empty for nothing.
   std::string GetSkipSummary() const;
 
   /// Why the last frame was drawn by the method of GetAlgorithmName(); one line.
+  std::string GetAlgorithmReason() const;
+
+  /// Deprecated: GetAlgorithmReason(). Warns once, goes after the next release.
   std::string GetChoice() const;
 
   /// The limit in bytes that holds: MaximumBufferSize, or when that is 0 (default) a quarter of the
   /// memory of the context of the last frame, at most 1 GiB.
   vtkTypeInt64 GetBufferLimit() const;
 
-  /// Called by mappers: the change of their shaders while props are blended.
-  ///@{
-  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
-    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
-  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
-    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
-  vtkMTimeType GetShaderStageMTime() override;
-  ///@}
-
 protected:
   vtkOITAutoPass();
   ~vtkOITAutoPass() override;
 
-  void RenderTranslucent(vtkOITFrame& frame) override;
-  const char* GetOwnAlgorithmName() override { return "automatic choice"; }
-  std::string FindMissingCapability(const vtkOITCapabilities& capabilities) override;
-  std::string FindMissingInTarget(const vtkOITFrame& frame) override;
+  std::string GetOwnAlgorithmName() const override { return "automatic choice"; }
+  vtkOITSettings MakeSettings(const vtkOITCapabilities& capabilities) const override;
+  vtkOITPlan MakePlan(const vtkOITFrame& frame, const vtkOITSettings& settings) override;
 
   bool SkipInvisibleProps = true;
   bool SkipSorting = true;
   bool SkipHiddenFragments = true;
   bool ReuseFrames = true;
-  double TransmittanceThreshold = 1.0 / 512.0;
 
 private:
   vtkOITAutoPass(const vtkOITAutoPass&) = delete;
   void operator=(const vtkOITAutoPass&) = delete;
-
-  void DropInvisibleProps(vtkOITFrame& frame);
-  bool ReuseFrame(vtkOITFrame& frame);
-  void DrawProps(vtkOITFrame& frame, bool keepsLayer);
-  void BlendProps(vtkOITFrame& frame, const vtkOITBlendPlan& plan);
-  void SortProps(vtkOITFrame& frame);
 
   class Internals;
   std::unique_ptr<Internals> Impl;

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITBucketPeelingPass.h"
 
-#include "Private/Frame/vtkOITFrame.h"
+#include "Private/Frame/vtkOITSettings.h"
 #include "Private/Peeling/vtkOITBucketPeeler.h"
+#include "Private/Peeling/vtkOITPeelingEngine.h"
 
 #include "vtkObjectFactory.h"
 
@@ -11,7 +12,8 @@ vtkStandardNewMacro(vtkOITBucketPeelingPass);
 
 //------------------------------------------------------------------------------
 vtkOITBucketPeelingPass::vtkOITBucketPeelingPass()
-  : vtkOITPeelingPass(std::make_unique<vtkOITBucketPeeler>())
+  : vtkOITPeelingPass(std::make_unique<vtkOITPeelingEngine>(
+      "bucket depth peeling", std::make_unique<vtkOITBucketPeeler>()))
 {
 }
 
@@ -27,13 +29,32 @@ void vtkOITBucketPeelingPass::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkOITBucketPeelingPass::RenderTranslucent(vtkOITFrame& frame)
+void vtkOITBucketPeelingPass::SetMode(int mode)
 {
-  auto& peeler = static_cast<vtkOITBucketPeeler&>(this->GetPeeler());
-  peeler.SetDivision(this->Mode == PAIRS ? vtkOITBucketPeeler::Division::Pairs
-      : this->Mode == ADAPTIVE           ? vtkOITBucketPeeler::Division::Adaptive
-                                         : vtkOITBucketPeeler::Division::Uniform);
-  peeler.SetHasExactRange(this->DepthRange == EXACT);
-  peeler.SetIsSingleShot(this->MaximumNumberOfPeels == 1);
-  this->Superclass::RenderTranslucent(frame);
+  if (this->IsNamedValue("Mode", mode, ADAPTIVE, "UNIFORM, PAIRS or ADAPTIVE") &&
+    this->Mode != mode)
+  {
+    this->Mode = mode;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOITBucketPeelingPass::SetDepthRange(int range)
+{
+  if (this->IsNamedValue("DepthRange", range, EXACT, "BOUNDS or EXACT") &&
+    this->DepthRange != range)
+  {
+    this->DepthRange = range;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkOITSettings vtkOITBucketPeelingPass::MakeSettings(const vtkOITCapabilities& capabilities) const
+{
+  vtkOITSettings settings = this->Superclass::MakeSettings(capabilities);
+  settings.BucketMode = this->Mode;
+  settings.HasExactDepthRange = this->DepthRange == EXACT;
+  return settings;
 }

@@ -2,37 +2,45 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkOITBucketPeelingPass
- * @brief   exact transparency by bucket sort of depths, several layers a peel
+ * @brief   exact transparency by a bucket sort of depths, several layers per peel
  *
- * Bucket depth peeling (Liu, Huang, Liu and Wu, Efficient depth peeling via bucket sort, HPG 2009):
+ * Divides the depth range of a pixel into buckets and peels up to 8 layers in three geometry
+ * passes. For contexts without framebuffer fetch and storage buffers, where memory is plentiful.
+ * docs/vtkOITBucketPeelingPass.md has a picture, the stages and the limits.
  *
- * 1. ADAPTIVE only: a geometry pass sets a bit for each of 1024 bins of a pixel's depth range that
- *    has a fragment, in 8 integer buffers by the logical operation OR. A screen pass makes each
- *    non-empty bin a bucket, up to 32; with more, neighbours share one.
- * 2. A geometry pass captures depths: the 32 channels of 8 RGBA32F buffers keep the nearest depth
- * of 32 equal buckets (UNIFORM) or of those of step 1 (ADAPTIVE), or the nearest and the farthest
- * of 16 equal buckets (PAIRS), by MAX blending. A screen pass sorts out the empty ones.
+ * Bucket depth peeling (Liu, Huang, Liu and Wu, Efficient depth peeling via bucket sort, HPG 2009).
+ * One peel:
+ *
+ * 1. ADAPTIVE only: a geometry pass divides a pixel's depth range into 1024 bins and sets a bit for
+ *    each bin that has a fragment, in 8 integer buffers by the logical operation OR. A screen pass
+ *    makes each non-empty bin a bucket, up to 32; with more, neighbours share one.
+ * 2. A geometry pass captures depths by MAX blending into the 32 channels of 8 RGBA32F buffers: the
+ *    nearest depth of each of 32 equal buckets (UNIFORM), of each bucket of step 1 (ADAPTIVE), or
+ *    the nearest and the farthest depth of each of 16 equal buckets (PAIRS). A screen pass leaves
+ *    out the empty buckets.
  * 3. Two geometry passes sum up the colours of four captured depths each, as groups of coincident
  *    fragments, and find the nearest and the farthest fragment that was not captured.
  * 4. A screen pass blends the captured layers up to the nearest fragment that was not captured,
- *    `C += T α c`, `T -= T α`, in float32. The next peel divides what is left into buckets anew:
- *    smaller ones, between the bounds of each pixel. So collisions cost peels, never layers.
+ *    `C += T α c`, `T -= T α`, in float32. The next peel divides the depths that are left into
+ *    smaller buckets. So two layers in one bucket cost another peel, but no layer is lost.
  *
- * Buckets divide eye depth. The first peel has the range of the projected bounds of the props, or,
- * with DepthRange EXACT, that of each pixel, found by one more geometry pass. A range of size 0 is
- * one bucket.
+ * Buckets divide eye depth. The first peel starts from the range of the projected bounds of the
+ * props, or, with DepthRange EXACT, from the range of each pixel, found by one more geometry pass.
+ * A range of size 0 is one bucket.
  *
- * With MaximumNumberOfPeels 1 it is the paper's single shot: one peel, with all 32 captured depths
- * in 8 colour passes. What collided is left out and counted, GetExact() is false then. Differences
- * from the paper: colours are summed up in float32, each of a known depth, instead of being kept as
- * the maximum of packed bits; that costs geometry passes, and no colour is mixed of two.
+ * With MaximumNumberOfPeels 1 the method is the paper's single shot: one peel, with all 32 captured
+ * depths in 8 colour passes. Layers that shared a bucket are then left out and counted by
+ * GetNumberOfLostFragments(), and GetExact() is false. Difference from the paper: colours are
+ * summed in float32, each at a known depth, instead of being kept as the maximum of packed bits.
+ * That costs geometry passes, but never mixes two colours.
  *
- * Geometry passes: 3 a peel (ADAPTIVE 4), up to 8 layers each; at most N peels for N layers. Single
+ * Geometry passes: 3 per peel (ADAPTIVE 4) of up to 8 layers; at most N peels for N layers. Single
  * shot: 10 (ADAPTIVE 11). DepthRange EXACT: one more. Memory: 440 bytes per pixel, ADAPTIVE 696; 48
- * more where shaders cannot read the framebuffer. Needs GL 3.2 with ARB_explicit_attrib_location.
+ * more where shaders cannot read the framebuffer. Needs OpenGL 3.2 with
+ * ARB_explicit_attrib_location.
  *
  * Exact: yes, with TransmittanceThreshold 0 and no limit on the number of peels; otherwise within
- * GetErrorBound(). Limits: a prop whose mapper knows nothing of vtkOpenGLRenderPass draws nothing.
+ * GetErrorBound(). Limits: a prop whose mapper does not support vtkOpenGLRenderPass is not drawn.
  *
  * @sa vtkOITPeelingPass
  */
@@ -59,7 +67,7 @@ public:
 
   /// UNIFORM (default), PAIRS or ADAPTIVE.
   ///@{
-  vtkSetClampMacro(Mode, int, UNIFORM, ADAPTIVE);
+  virtual void SetMode(int mode);
   vtkGetMacro(Mode, int);
   ///@}
 
@@ -71,7 +79,7 @@ public:
 
   /// The depths that the first peel divides: BOUNDS (default) or EXACT.
   ///@{
-  vtkSetClampMacro(DepthRange, int, BOUNDS, EXACT);
+  virtual void SetDepthRange(int range);
   vtkGetMacro(DepthRange, int);
   ///@}
 
@@ -79,8 +87,7 @@ protected:
   vtkOITBucketPeelingPass();
   ~vtkOITBucketPeelingPass() override;
 
-  const char* GetOwnAlgorithmName() override { return "bucket depth peeling"; }
-  void RenderTranslucent(vtkOITFrame& frame) override;
+  vtkOITSettings MakeSettings(const vtkOITCapabilities& capabilities) const override;
 
   int Mode = UNIFORM;
   int DepthRange = BOUNDS;

@@ -3,6 +3,7 @@
 #include "vtkOITDepthPeelingPass.h"
 
 #include "Private/Peeling/vtkOITMinMaxPeeler.h"
+#include "Private/Peeling/vtkOITPeelingEngine.h"
 
 #include "vtkObjectFactory.h"
 
@@ -10,7 +11,8 @@ vtkStandardNewMacro(vtkOITDepthPeelingPass);
 
 //------------------------------------------------------------------------------
 vtkOITDepthPeelingPass::vtkOITDepthPeelingPass()
-  : vtkOITPeelingPass(std::make_unique<vtkOITMinMaxPeeler>(false))
+  : vtkOITPeelingPass(std::make_unique<vtkOITPeelingEngine>(
+      "depth peeling", std::make_unique<vtkOITMinMaxPeeler>(false)))
 {
 }
 

@@ -2,60 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITMultiLayerPeelingPass.h"
 
-#include "Private/Frame/vtkOITCapabilities.h"
-#include "Private/Frame/vtkOITFrame.h"
+#include "Private/Frame/vtkOITSettings.h"
 #include "Private/Peeling/vtkOITMultiLayerPeeler.h"
+#include "Private/Peeling/vtkOITPeelingEngine.h"
 
 #include "vtkObjectFactory.h"
-
-namespace
-{
-using Access = vtkOITMultiLayerPeeler::Access;
-
-/// Empty, or what the context lacks for this way of access.
-std::string FindMissingFor(const vtkOITCapabilities& capabilities, Access access, int layers)
-{
-  switch (access)
-  {
-    case Access::Fetch:
-      return capabilities.FramebufferFetch && capabilities.EarlyFragmentTests
-        ? ""
-        : "GL_EXT_shader_framebuffer_fetch with GL_ARB_shader_image_load_store";
-    case Access::Interlock:
-      return capabilities.FragmentInterlock && capabilities.HasStorage()
-        ? ""
-        : "GL_ARB_fragment_shader_interlock with GL_ARB_shader_image_load_store";
-    default:
-      if (layers > 8)
-      {
-        return "an ordered access to pixels, which 16 layers a pass need";
-      }
-      return capabilities.TextureBarrier ? "" : "GL_ARB_texture_barrier";
-  }
-}
-
-/// The accesses that a setting allows, best first.
-std::vector<Access> GetAllowed(int synchronization)
-{
-  switch (synchronization)
-  {
-    case vtkOITMultiLayerPeelingPass::FRAMEBUFFER_FETCH:
-      return { Access::Fetch };
-    case vtkOITMultiLayerPeelingPass::INTERLOCK:
-      return { Access::Interlock };
-    case vtkOITMultiLayerPeelingPass::TEXTURE_BARRIER:
-      return { Access::Barrier };
-    default:
-      return { Access::Fetch, Access::Interlock, Access::Barrier };
-  }
-}
-}
 
 vtkStandardNewMacro(vtkOITMultiLayerPeelingPass);
 
 //------------------------------------------------------------------------------
 vtkOITMultiLayerPeelingPass::vtkOITMultiLayerPeelingPass()
-  : vtkOITPeelingPass(std::make_unique<vtkOITMultiLayerPeeler>())
+  : vtkOITPeelingPass(std::make_unique<vtkOITPeelingEngine>(
+      "multi-layer depth peeling", std::make_unique<vtkOITMultiLayerPeeler>()))
 {
 }
 
@@ -86,38 +44,35 @@ void vtkOITMultiLayerPeelingPass::SetNumberOfLayersPerPass(int layers)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkOITMultiLayerPeelingPass::FindMissingCapability(
-  const vtkOITCapabilities& capabilities)
+void vtkOITMultiLayerPeelingPass::SetSynchronization(int synchronization)
 {
-  std::string missing = capabilities.GetMissingForPeeling();
-  if (!missing.empty())
+  if (this->IsNamedValue("Synchronization", synchronization, TEXTURE_BARRIER,
+        "AUTOMATIC, FRAMEBUFFER_FETCH, INTERLOCK or TEXTURE_BARRIER") &&
+    this->Synchronization != synchronization)
   {
-    return missing;
+    this->Synchronization = synchronization;
+    this->Modified();
   }
-  for (const Access access : GetAllowed(this->Synchronization))
-  {
-    missing = FindMissingFor(capabilities, access, this->NumberOfLayersPerPass);
-    if (missing.empty())
-    {
-      return {};
-    }
-  }
-  return "multi-layer peeling: this context lacks " + missing +
-    "; choose another Synchronization or NumberOfLayersPerPass, or another method";
 }
 
 //------------------------------------------------------------------------------
-void vtkOITMultiLayerPeelingPass::RenderTranslucent(vtkOITFrame& frame)
+void vtkOITMultiLayerPeelingPass::SetFragmentPrecision(int precision)
 {
-  auto& peeler = static_cast<vtkOITMultiLayerPeeler&>(this->GetPeeler());
-  peeler.SetNumberOfLayers(this->NumberOfLayersPerPass);
-  for (const Access access : GetAllowed(this->Synchronization))
+  if (precision == FLOAT)
   {
-    if (FindMissingFor(*frame.Capabilities, access, this->NumberOfLayersPerPass).empty())
-    {
-      peeler.SetAccess(access);
-      break;
-    }
+    vtkErrorMacro("FragmentPrecision FLOAT is refused; multi-layer peeling keeps half floats. Take "
+                  "another method, e.g. vtkOITABufferPass or vtkOITDualDepthPeelingPass");
+    return;
   }
-  this->Superclass::RenderTranslucent(frame);
+  this->Superclass::SetFragmentPrecision(precision);
+}
+
+//------------------------------------------------------------------------------
+vtkOITSettings vtkOITMultiLayerPeelingPass::MakeSettings(
+  const vtkOITCapabilities& capabilities) const
+{
+  vtkOITSettings settings = this->Superclass::MakeSettings(capabilities);
+  settings.NumberOfLayersPerPass = this->NumberOfLayersPerPass;
+  settings.Synchronization = this->Synchronization;
+  return settings;
 }

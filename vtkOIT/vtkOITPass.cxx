@@ -2,25 +2,70 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITPass.h"
 
-#include "vtkOITPassFactory.h"
-
+#include "Private/Engine/vtkOITDelegate.h"
+#include "Private/Engine/vtkOITEngine.h"
 #include "Private/Frame/vtkOITCapabilities.h"
 #include "Private/Frame/vtkOITCompatibility.h"
 #include "Private/Frame/vtkOITFrame.h"
-#include "Private/Frame/vtkOITScreenExtents.h"
+#include "Private/Frame/vtkOITSettings.h"
+#include "Private/Frame/vtkOITStatistics.h"
+#include "Private/GL/vtkOITAllocation.h"
 #include "Private/GL/vtkOITSavedState.h"
+#include "Private/Plan/vtkOITPlan.h"
+#include "Private/Plan/vtkOITPlanRunner.h"
 
-#include "vtkOpenGLError.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkTranslucentPass.h"
 
-#include <algorithm>
+#include <set>
+#include <utility>
 
 //------------------------------------------------------------------------------
-vtkOITPass::vtkOITPass()
+class vtkOITPass::Internals
 {
-  this->TranslucentPass = vtkSmartPointer<vtkTranslucentPass>::New();
+public:
+  explicit Internals(std::unique_ptr<vtkOITEngine> engine)
+    : Engine(std::move(engine))
+    , Runner(this->Engine.get())
+  {
+  }
+
+  /// While one lives, a frame is being drawn by a pass of ours, in this thread.
+  struct Drawing
+  {
+    Drawing() { IsDrawing = true; }
+    ~Drawing() { IsDrawing = false; }
+    Drawing(const Drawing&) = delete;
+    Drawing& operator=(const Drawing&) = delete;
+  };
+  static inline thread_local bool IsDrawing = false;
+
+  const vtkOITCapabilities& QueryCapabilities(vtkOpenGLRenderWindow* window)
+  {
+    if (!this->Capabilities || this->CapabilitiesWindow != window)
+    {
+      this->Capabilities = std::make_unique<vtkOITCapabilities>(window);
+      this->CapabilitiesWindow = window;
+    }
+    return *this->Capabilities;
+  }
+
+  std::unique_ptr<vtkOITEngine> Engine; // of the subclass's method, may be nullptr
+  vtkOITPlanRunner Runner;
+  vtkOITStatistics Statistics;                      // of the last frame
+  std::unique_ptr<vtkOITCapabilities> Capabilities; // of CapabilitiesWindow
+  vtkOpenGLRenderWindow* CapabilitiesWindow = nullptr;
+  std::set<std::string> Reported; // so that each line is printed once, not every frame
+};
+
+//------------------------------------------------------------------------------
+vtkOITPass::vtkOITPass(std::unique_ptr<vtkOITEngine> engine)
+  : TranslucentPass(vtkSmartPointer<vtkTranslucentPass>::New())
+  , Impl(std::make_unique<Internals>(std::move(engine)))
+{
+  this->SetNotAsked();
 }
 
 //------------------------------------------------------------------------------
@@ -31,22 +76,254 @@ void vtkOITPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "TranslucentPass: " << this->TranslucentPass.Get() << "\n"
+     << indent << "TransmittanceThreshold: " << this->TransmittanceThreshold << "\n"
      << indent << "MaximumNumberOfPeels: " << this->MaximumNumberOfPeels << "\n"
      << indent << "OcclusionRatio: " << this->OcclusionRatio << "\n"
      << indent << "MaximumBufferSize: " << this->MaximumBufferSize << "\n"
      << indent << "FragmentPrecision: " << (this->FragmentPrecision == HALF ? "half" : "float")
      << "\n"
-     << indent << "NumberOfGeometryPasses: " << this->NumberOfGeometryPasses << "\n"
-     << indent << "NumberOfFragments: " << this->NumberOfFragments << "\n"
-     << indent << "MaximumDepthComplexity: " << this->MaximumDepthComplexity << "\n"
-     << indent << "BufferSizeInBytes: " << this->BufferSizeInBytes << "\n"
-     << indent << "Exact: " << this->Exact << "\n"
-     << indent << "ErrorBound: " << this->ErrorBound << "\n";
+     << indent << "AlgorithmName: " << this->GetAlgorithmName() << "\n"
+     << indent << "NumberOfGeometryPasses: " << this->GetNumberOfGeometryPasses() << "\n"
+     << indent << "NumberOfFragments: " << this->GetNumberOfFragments() << "\n"
+     << indent << "MaximumDepthComplexity: " << this->GetMaximumDepthComplexity() << "\n"
+     << indent << "BufferSizeInBytes: " << this->GetBufferSizeInBytes() << "\n"
+     << indent << "Exact: " << this->GetExact() << "\n"
+     << indent << "ErrorBound: " << this->GetErrorBound() << "\n";
+}
+
+//------------------------------------------------------------------------------
+vtkOITEngine* vtkOITPass::GetEngine() const
+{
+  return this->Impl->Engine.get();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITPass::GetMissingCapability(vtkOpenGLRenderWindow* window)
+{
+  if (window && !window->GetNeverRendered())
+  {
+    window->MakeCurrent();
+  }
+  const vtkOITCapabilities capabilities(window);
+  return this->Impl->Runner.GetSorters().FindMissing(
+    capabilities, this->MakeSettings(capabilities));
+}
+
+//------------------------------------------------------------------------------
+vtkOITSettings vtkOITPass::MakeSettings(const vtkOITCapabilities&) const
+{
+  vtkOITSettings settings;
+  settings.TransmittanceThreshold = this->TransmittanceThreshold;
+  settings.FloatColor = this->FragmentPrecision == FLOAT;
+  settings.BufferLimit = this->MaximumBufferSize;
+  settings.MaximumNumberOfPeels = this->MaximumNumberOfPeels;
+  settings.OcclusionRatio = this->OcclusionRatio;
+  settings.Time = const_cast<vtkOITPass*>(this)->GetMTime();
+  return settings;
+}
+
+//------------------------------------------------------------------------------
+vtkOITPlan vtkOITPass::MakePlan(const vtkOITFrame& frame, const vtkOITSettings&)
+{
+  vtkOITPlan plan;
+  plan.Frame = frame;
+  return plan;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPass::Render(const vtkRenderState* state)
+{
+  this->ResetStatistics();
+  if (!this->TranslucentPass)
+  {
+    vtkErrorMacro("No TranslucentPass is set; give one with SetTranslucentPass(), e.g. a "
+                  "vtkTranslucentPass");
+    return;
+  }
+  if (state->GetRenderer()->GetSelector())
+  {
+    // A selector draws identifiers, not colours: nothing to sort.
+    this->TranslucentPass->Render(state);
+    this->NumberOfRenderedProps = this->TranslucentPass->GetNumberOfRenderedProps();
+    return;
+  }
+  if (Internals::IsDrawing)
+  {
+    this->Impl->Statistics.Fault = "A vtkOITPass is drawn inside of another one; it leaves the "
+                                   "props to its TranslucentPass. Take "
+                                   "it out of the other one's chain";
+    this->TranslucentPass->Render(state);
+    this->Report();
+    return;
+  }
+  std::vector<vtkProp*> props = vtkOITFindTranslucentProps(state);
+  if (props.empty())
+  {
+    return;
+  }
+  if (vtkOpenGLRenderWindow::SafeDownCast(state->GetRenderer()->GetVTKWindow()))
+  {
+    this->Draw(state, std::move(props));
+  }
+  else
+  {
+    this->DrawUnsorted(state, "the renderer's window is not a vtkOpenGLRenderWindow");
+  }
+  this->Report();
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPass::Draw(const vtkRenderState* state, std::vector<vtkProp*> props)
+{
+  Internals& impl = *this->Impl;
+  vtkOITAllocation::TakeErrors();
+  vtkOITFrame frame;
+  frame.Renderer = state->GetRenderer();
+  frame.Window = vtkOpenGLRenderWindow::SafeDownCast(frame.Renderer->GetVTKWindow());
+  frame.GLState = frame.Window->GetState();
+  frame.Capabilities = &impl.QueryCapabilities(frame.Window);
+  frame.Target = vtkOITTarget::Query();
+  vtkOITSavedState saved(frame.GLState, frame.Target);
+  frame.Viewport = saved.GetViewport();
+  frame.Props = std::move(props);
+  frame.Extents = vtkOITFindScreenExtents(frame.Renderer, frame.Props, frame.Viewport);
+  frame.Rectangle = vtkOITFindScreenRectangle(frame.Extents).Intersect(saved.GetDrawnRectangle());
+  if (frame.Rectangle.IsEmpty())
+  {
+    return;
+  }
+  const Internals::Drawing drawing;
+  vtkOITDelegate delegate(this->TranslucentPass, state);
+  const vtkOITSettings settings = this->MakeSettings(*frame.Capabilities);
+  impl.Runner.Run(this->MakePlan(frame, settings), settings, delegate, saved, impl.Statistics);
+  impl.Statistics.NumberOfGeometryPasses = delegate.GetNumberOfPasses();
+  this->NumberOfRenderedProps = delegate.GetNumberOfRenderedProps();
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPass::DrawUnsorted(const vtkRenderState* state, const std::string& reason)
+{
+  this->TranslucentPass->Render(state);
+  this->NumberOfRenderedProps = this->TranslucentPass->GetNumberOfRenderedProps();
+  vtkOITStatistics& statistics = this->Impl->Statistics;
+  statistics.Algorithm = "unsorted blending";
+  statistics.Reason = reason;
+  statistics.Warning = "Translucent props are blended unsorted: " + reason;
+  statistics.NumberOfGeometryPasses = 1;
+  statistics.NumberOfFragments = -1;
+  statistics.MaximumDepthComplexity = -1;
+  statistics.NoteError(1.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPass::Report()
+{
+  const vtkOITStatistics& statistics = this->Impl->Statistics;
+  std::set<std::string>& reported = this->Impl->Reported;
+  if (!statistics.Warning.empty() && reported.insert(statistics.Warning).second)
+  {
+    vtkWarningMacro(<< statistics.Warning);
+  }
+  if (!statistics.Fault.empty() && reported.insert(statistics.Fault).second)
+  {
+    vtkErrorMacro(<< statistics.Fault);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (this->TranslucentPass)
+  {
+    this->TranslucentPass->ReleaseGraphicsResources(window);
+  }
+  this->Impl->Runner.Release();
+  this->Impl->Capabilities.reset();
+  this->Impl->CapabilitiesWindow = nullptr;
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPass::ResetStatistics()
+{
+  this->NumberOfRenderedProps = 0;
+  this->Impl->Statistics = {};
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPass::SetNotAsked()
+{
+  this->ResetStatistics();
+  this->Impl->Statistics.NoteError(1.0);
+  this->Impl->Statistics.Reason = "the pass was not asked to draw";
+}
+
+//------------------------------------------------------------------------------
+const vtkOITStatistics& vtkOITPass::GetStatistics() const
+{
+  return this->Impl->Statistics;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITPass::GetAlgorithmName() const
+{
+  const std::string& name = this->Impl->Statistics.Algorithm;
+  return name.empty() ? this->GetOwnAlgorithmName() : name;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITPass::GetOwnAlgorithmName() const
+{
+  return this->Impl->Engine->GetAlgorithmName(this->MakeSettings(vtkOITCapabilities(nullptr)));
+}
+
+//------------------------------------------------------------------------------
+int vtkOITPass::GetNumberOfGeometryPasses() const
+{
+  return this->Impl->Statistics.NumberOfGeometryPasses;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkOITPass::GetNumberOfFragments() const
+{
+  return this->Impl->Statistics.NumberOfFragments;
+}
+
+//------------------------------------------------------------------------------
+int vtkOITPass::GetMaximumDepthComplexity() const
+{
+  return this->Impl->Statistics.MaximumDepthComplexity;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkOITPass::GetBufferSizeInBytes() const
+{
+  return this->Impl->Runner.GetSizeInBytes();
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITPass::GetExact() const
+{
+  return this->Impl->Statistics.Exact;
+}
+
+//------------------------------------------------------------------------------
+double vtkOITPass::GetErrorBound() const
+{
+  return this->Impl->Statistics.ErrorBound;
 }
 
 //------------------------------------------------------------------------------
 void vtkOITPass::SetTranslucentPass(vtkRenderPass* pass)
 {
+  if (vtkOITPass::SafeDownCast(pass))
+  {
+    vtkErrorMacro(
+      "A " << pass->GetClassName()
+           << " is refused as TranslucentPass; give the pass that draws the props, e.g. "
+              "a vtkTranslucentPass");
+    return;
+  }
   if (this->TranslucentPass != pass)
   {
     this->TranslucentPass = pass;
@@ -58,6 +335,62 @@ void vtkOITPass::SetTranslucentPass(vtkRenderPass* pass)
 vtkRenderPass* vtkOITPass::GetTranslucentPass()
 {
   return this->TranslucentPass;
+}
+
+//------------------------------------------------------------------------------
+// Not a number is in no range.
+bool vtkOITPass::IsInRange(const char* property, double value, double low, double high)
+{
+  const bool isInRange = value >= low && value <= high;
+  if (!isInRange)
+  {
+    vtkErrorMacro(<< property << " " << value << " is refused; give a number from " << low << " to "
+                  << high);
+  }
+  return isInRange;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITPass::IsNamedValue(const char* property, int value, int last, const char* names)
+{
+  const bool isNamed = value >= 0 && value <= last;
+  if (!isNamed)
+  {
+    vtkErrorMacro(<< property << " " << value << " is refused; give " << names);
+  }
+  return isNamed;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPass::SetTransmittanceThreshold(double threshold)
+{
+  if (this->IsInRange("TransmittanceThreshold", threshold, 0.0, 1.0) &&
+    this->TransmittanceThreshold != threshold)
+  {
+    this->TransmittanceThreshold = threshold;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPass::SetMaximumNumberOfPeels(int peels)
+{
+  if (this->IsInRange("MaximumNumberOfPeels", peels, 0, VTK_INT_MAX) &&
+    this->MaximumNumberOfPeels != peels)
+  {
+    this->MaximumNumberOfPeels = peels;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPass::SetOcclusionRatio(double ratio)
+{
+  if (this->IsInRange("OcclusionRatio", ratio, 0.0, 0.5) && this->OcclusionRatio != ratio)
+  {
+    this->OcclusionRatio = ratio;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -78,211 +411,12 @@ void vtkOITPass::SetMaximumBufferSize(vtkTypeInt64 bytes)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkOITPass::GetMissingCapability(vtkOpenGLRenderWindow* window)
+void vtkOITPass::SetFragmentPrecision(int precision)
 {
-  if (window && !window->GetNeverRendered())
+  if (this->IsNamedValue("FragmentPrecision", precision, FLOAT, "HALF or FLOAT") &&
+    this->FragmentPrecision != precision)
   {
-    window->MakeCurrent();
+    this->FragmentPrecision = precision;
+    this->Modified();
   }
-  return this->FindMissingCapability(vtkOITCapabilities(window));
-}
-
-//------------------------------------------------------------------------------
-const vtkOITCapabilities& vtkOITPass::QueryCapabilities(vtkOpenGLRenderWindow* window)
-{
-  if (!this->Capabilities || this->CapabilitiesWindow != window)
-  {
-    this->Capabilities = std::make_unique<vtkOITCapabilities>(window);
-    this->CapabilitiesWindow = window;
-  }
-  return *this->Capabilities;
-}
-
-//------------------------------------------------------------------------------
-void vtkOITPass::ResetStatistics()
-{
-  this->NumberOfRenderedProps = 0;
-  this->NumberOfGeometryPasses = 0;
-  this->NumberOfFragments = 0;
-  this->MaximumDepthComplexity = 0;
-  this->Exact = true;
-  this->ErrorBound = 0.0;
-  this->LastAlgorithmName = nullptr;
-}
-
-//------------------------------------------------------------------------------
-void vtkOITPass::Render(const vtkRenderState* state)
-{
-  this->ResetStatistics();
-  vtkRenderer* renderer = state->GetRenderer();
-  if (!this->TranslucentPass)
-  {
-    vtkErrorMacro("No TranslucentPass is set; give one with SetTranslucentPass(), e.g. a "
-                  "vtkTranslucentPass");
-    return;
-  }
-  if (renderer->GetSelector())
-  {
-    // A selector draws identifiers, not colours: nothing to sort.
-    this->TranslucentPass->Render(state);
-    this->NumberOfRenderedProps = this->TranslucentPass->GetNumberOfRenderedProps();
-    return;
-  }
-
-  vtkOITFrame frame(state, vtkOITFindTranslucentProps(state));
-  if (frame.GetState()->GetPropArrayCount() == 0)
-  {
-    return;
-  }
-  if (!frame.Window)
-  {
-    this->RenderUnsorted(state, "the renderer's window is not a vtkOpenGLRenderWindow");
-    return;
-  }
-  vtkOpenGLClearErrorMacro();
-  frame.Capabilities = &this->QueryCapabilities(frame.Window);
-  GLint viewport[4];
-  glGetIntegerv(GL_VIEWPORT, viewport);
-  frame.Viewport = { viewport[0], viewport[1], viewport[2], viewport[3] };
-  frame.Extents = vtkOITFindScreenExtents(renderer, frame.GetProps(), frame.Viewport);
-  frame.Rectangle = vtkOITFindScreenRectangle(frame.Extents);
-  if (glIsEnabled(GL_SCISSOR_TEST))
-  {
-    GLint scissor[4];
-    glGetIntegerv(GL_SCISSOR_BOX, scissor);
-    frame.Rectangle = frame.Rectangle.Intersect({ scissor[0], scissor[1], scissor[2], scissor[3] });
-  }
-  if (frame.Rectangle.IsEmpty())
-  {
-    return;
-  }
-  frame.Target = vtkOITTarget::Query();
-  const std::string missing = this->FindMissing(frame);
-  if (missing.empty())
-  {
-    this->RenderFrame(frame);
-  }
-  else if (!this->RenderByFallback(frame, missing))
-  {
-    this->RenderUnsorted(state, missing);
-  }
-  vtkOpenGLCheckErrorMacro("failed after Render");
-}
-
-//------------------------------------------------------------------------------
-void vtkOITPass::RenderFrame(vtkOITFrame& frame)
-{
-  const vtkOITSavedState saved(frame.GLState, frame.Capabilities->HasStorage());
-  this->RenderTranslucent(frame);
-}
-
-//------------------------------------------------------------------------------
-std::string vtkOITPass::FindMissing(const vtkOITFrame& frame)
-{
-  const std::string missing = this->FindMissingCapability(*frame.Capabilities);
-  return missing.empty() ? this->FindMissingInTarget(frame) : missing;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkOITPass::FindMissingInTarget(const vtkOITFrame&)
-{
-  return {};
-}
-
-//------------------------------------------------------------------------------
-// False when no exact method can render the frame.
-bool vtkOITPass::RenderByFallback(vtkOITFrame& frame, const std::string& reason)
-{
-  for (const char* method : { "abuffer", "dual" })
-  {
-    if (!this->Fallback || this->FallbackMethod != method)
-    {
-      this->Fallback.TakeReference(vtkOITPassFactory::CreatePass(method));
-      this->FallbackMethod = method;
-    }
-    vtkOITPass& pass = *this->Fallback;
-    if (!pass.IsA(this->GetClassName()) && pass.FindMissing(frame).empty())
-    {
-      this->Report("Rendered by another exact method: ", reason);
-      pass.SetMaximumBufferSize(this->MaximumBufferSize);
-      this->RenderBy(pass, frame);
-      return true;
-    }
-  }
-  return false;
-}
-
-//------------------------------------------------------------------------------
-void vtkOITPass::RenderBy(vtkOITPass& pass, vtkOITFrame& frame)
-{
-  pass.SetTranslucentPass(this->TranslucentPass);
-  pass.SetFragmentPrecision(this->FragmentPrecision);
-  pass.ResetStatistics();
-  pass.RenderFrame(frame);
-  this->NumberOfRenderedProps += pass.NumberOfRenderedProps;
-  this->NumberOfGeometryPasses += pass.NumberOfGeometryPasses;
-  this->NumberOfFragments += pass.NumberOfFragments;
-  this->MaximumDepthComplexity =
-    std::max(this->MaximumDepthComplexity, pass.MaximumDepthComplexity);
-  this->BufferSizeInBytes = pass.BufferSizeInBytes;
-  this->Exact = this->Exact && pass.Exact;
-  this->ErrorBound = std::max(this->ErrorBound, pass.ErrorBound);
-  this->LastAlgorithmName = pass.GetOwnAlgorithmName();
-}
-
-//------------------------------------------------------------------------------
-void vtkOITPass::Report(const char* consequence, const std::string& reason)
-{
-  if (this->ReportedReason != reason)
-  {
-    vtkWarningMacro(<< consequence << reason);
-    this->ReportedReason = reason;
-  }
-}
-
-//------------------------------------------------------------------------------
-const char* vtkOITPass::GetAlgorithmName()
-{
-  return this->LastAlgorithmName ? this->LastAlgorithmName : this->GetOwnAlgorithmName();
-}
-
-//------------------------------------------------------------------------------
-void vtkOITPass::RenderUnsorted(const vtkRenderState* state, const std::string& reason)
-{
-  this->Report("Translucent props are blended unsorted: ", reason);
-  this->LastAlgorithmName = "unsorted blending";
-  this->TranslucentPass->Render(state);
-  this->NumberOfRenderedProps = this->TranslucentPass->GetNumberOfRenderedProps();
-  this->NumberOfGeometryPasses = 1;
-  this->NumberOfFragments = -1;
-  this->MaximumDepthComplexity = -1;
-  this->Exact = false;
-  this->ErrorBound = 1.0;
-}
-
-//------------------------------------------------------------------------------
-void vtkOITPass::RenderGeometry(vtkOITFrame& frame)
-{
-  this->PreRender(frame.GetState());
-  this->TranslucentPass->Render(frame.GetState());
-  this->PostRender(frame.GetState());
-  this->NumberOfRenderedProps = this->TranslucentPass->GetNumberOfRenderedProps();
-  ++this->NumberOfGeometryPasses;
-}
-
-//------------------------------------------------------------------------------
-void vtkOITPass::ReleaseGraphicsResources(vtkWindow* window)
-{
-  if (this->TranslucentPass)
-  {
-    this->TranslucentPass->ReleaseGraphicsResources(window);
-  }
-  if (this->Fallback)
-  {
-    this->Fallback->ReleaseGraphicsResources(window);
-  }
-  this->Capabilities.reset();
-  this->CapabilitiesWindow = nullptr;
-  this->BufferSizeInBytes = 0;
-  this->Superclass::ReleaseGraphicsResources(window);
 }

@@ -6,21 +6,21 @@
  *
  * A vtkOITPass draws the translucent props of a renderer. It goes where VTK's own translucent
  * passes go: into vtkRenderStepsPass::SetTranslucentPass(), into a vtkSequencePass given to
- * vtkRenderer::SetPass(), or into an existing renderer through vtkOITRendererHook. A default
- * delegate (vtkTranslucentPass) is set by the constructor, so a pass works as it is created.
+ * vtkRenderer::SetPass(), or into an existing renderer through vtkOITRendererHook. The constructor
+ * sets a delegate that draws the props (vtkTranslucentPass), so a new pass is ready to use.
  *
  * One frame, for every subclass:
  *
- * 1. Find the translucent props and the screen rectangle that their bounds can touch. Nothing
- *    translucent, or nothing on screen: return at once; zero passes, nothing allocated.
- * 2. Ask the context whether it can run this method, with this framebuffer; if not, say in one
- *    line what is missing and let the best exact method that can take over: the A-buffer, else
- *    dual depth peeling. GetAlgorithmName() tells which. Where none can, the delegate blends the
- *    props unsorted.
+ * 1. Find the translucent props and the screen rectangle that their bounds can touch. With nothing
+ *    translucent, or nothing on screen, return at once: no geometry pass, no memory.
+ * 2. Ask whether the context and the framebuffer can do this method. If not, report in one line
+ *    what is missing, and let the best exact method draw that can: the A-buffer, else dual depth
+ *    peeling. GetAlgorithmName() tells which one did. Where neither can, the delegate blends the
+ *    props unsorted, and GetExact() is false.
  * 3. RenderTranslucent() of the subclass: geometry passes that write only to the pass's own
- *    storage, then one resolve that composites over what the framebuffer holds,
+ *    storage, then a resolve that composites over what the framebuffer holds,
  *    `C = C_layers + T C_dst`, `A = (1-T) + T A_dst`, inside the rectangle only.
- * 4. All GL state is left as it was found.
+ * 4. All OpenGL state is left as it was found.
  *
  * Opaque geometry must be in the bound framebuffer, with its depth, before Render() is called.
  *
@@ -34,13 +34,19 @@
 #include "vtkOpenGLRenderPass.h"
 #include "vtkSmartPointer.h" // for the delegate
 
-#include <memory> // for the capabilities
+#include <memory> // for the private parts
 #include <string> // for GetMissingCapability
+#include <vector> // for the props
 
 class vtkOITCapabilities;
-class vtkOITFrame;
+class vtkOITEngine;
 class vtkOpenGLRenderWindow;
+class vtkProp;
 class vtkWindow;
+struct vtkOITFrame;
+struct vtkOITPlan;
+struct vtkOITSettings;
+struct vtkOITStatistics;
 
 class VTKOIT_EXPORT vtkOITPass : public vtkOpenGLRenderPass
 {
@@ -55,7 +61,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /// The delegate that draws the translucent props once per geometry pass. Default: a
-  /// vtkTranslucentPass. nullptr is an error at render time.
+  /// vtkTranslucentPass. nullptr is an error at render time; a vtkOITPass is refused.
   ///@{
   virtual void SetTranslucentPass(vtkRenderPass* pass);
   vtkRenderPass* GetTranslucentPass();
@@ -63,23 +69,33 @@ public:
 
   /// Name of the algorithm, as in the literature, that drew the last frame: that of the subclass,
   /// of the method that took over, or "unsorted blending".
-  const char* GetAlgorithmName();
+  std::string GetAlgorithmName() const;
 
   /// Empty when this method runs in the window's context, otherwise one line that says what is
   /// missing. The window's context must have been created (Render() called once).
   std::string GetMissingCapability(vtkOpenGLRenderWindow* window);
 
-  /// Meaning as in vtkRenderer: the largest number of geometry passes spent on peeling, 0 for no
-  /// limit (default). Methods that do not peel ignore it.
+  /// Layers behind a transmittance of at most this may be skipped: they change a colour by no more
+  /// than that. In [0, 1], default 1/512, half a step of 8 bits; 0 skips nothing but what is behind
+  /// an opacity of 1. Peeling methods spend no peel on such layers; the A-buffer does not composite
+  /// them in lists of more than 32 fragments; weighted previews skip nothing. GetErrorBound() is the
+  /// largest transmittance in front of what was skipped.
   ///@{
-  vtkSetClampMacro(MaximumNumberOfPeels, int, 0, VTK_INT_MAX);
+  virtual void SetTransmittanceThreshold(double threshold);
+  vtkGetMacro(TransmittanceThreshold, double);
+  ///@}
+
+  /// Meaning as in vtkRenderer: the largest number of geometry passes spent on peeling, 0 for no
+  /// limit (default). Methods that do not peel need no limit.
+  ///@{
+  virtual void SetMaximumNumberOfPeels(int peels);
   vtkGetMacro(MaximumNumberOfPeels, int);
   ///@}
 
   /// Meaning as in vtkRenderer: peeling stops when fewer than this share of the viewport's pixels
-  /// changed; [0, 0.5], default 0 (exact). Methods that do not peel ignore it.
+  /// changed; [0, 0.5], default 0 (exact). Methods that do not peel have nothing to stop.
   ///@{
-  vtkSetClampMacro(OcclusionRatio, double, 0.0, 0.5);
+  virtual void SetOcclusionRatio(double ratio);
   vtkGetMacro(OcclusionRatio, double);
   ///@}
 
@@ -98,10 +114,11 @@ public:
     FLOAT = 1 ///< floats, as they are; for high dynamic range, negative colours
   };
 
-  /// HALF (default) or FLOAT. What is blended accumulates in float32 with either. Methods that
-  /// keep no fragments ignore it.
+  /// HALF (default) or FLOAT: what is at least kept. Depth peeling, bucket peeling and the weighted
+  /// previews sum up in float32 with either. vtkOITMultiLayerPeelingPass refuses FLOAT. What is
+  /// blended accumulates in float32 with all.
   ///@{
-  vtkSetClampMacro(FragmentPrecision, int, HALF, FLOAT);
+  virtual void SetFragmentPrecision(int precision);
   vtkGetMacro(FragmentPrecision, int);
   void SetFragmentPrecisionToHalf() { this->SetFragmentPrecision(HALF); }
   void SetFragmentPrecisionToFloat() { this->SetFragmentPrecision(FLOAT); }
@@ -112,85 +129,65 @@ public:
   /// does not render the pass.
   void ResetStatistics();
 
+  /// Sets the statistics to those of a frame with translucent props that the pass was not asked to
+  /// draw, as before the first frame: not exact, no passes. vtkOITRendererHook does so.
+  void SetNotAsked();
+
   /// Statistics of the last Render().
   ///@{
   /// How often the delegate drew the translucent props.
-  vtkGetMacro(NumberOfGeometryPasses, int);
+  int GetNumberOfGeometryPasses() const;
   /// Fragments captured over all pixels; negative when the pass cannot know.
-  vtkGetMacro(NumberOfFragments, vtkTypeInt64);
+  vtkTypeInt64 GetNumberOfFragments() const;
   /// Largest number of fragments of one pixel; negative when the pass cannot know.
-  vtkGetMacro(MaximumDepthComplexity, int);
+  int GetMaximumDepthComplexity() const;
   /// Bytes that the pass holds on the context.
-  vtkGetMacro(BufferSizeInBytes, vtkTypeInt64);
+  vtkTypeInt64 GetBufferSizeInBytes() const;
   /// True when nothing was dropped or approximated.
-  vtkGetMacro(Exact, bool);
+  bool GetExact() const;
   /// 0 when exact, otherwise a bound on the colour error (colours in [0,1]).
-  vtkGetMacro(ErrorBound, double);
+  double GetErrorBound() const;
   ///@}
 
 protected:
-  vtkOITPass();
+  /// `engine`: draws by the method of the subclass; nullptr for the best of all.
+  explicit vtkOITPass(std::unique_ptr<vtkOITEngine> engine);
   ~vtkOITPass() override;
 
-  /// Step 3 of a frame. State is saved before and restored after.
-  virtual void RenderTranslucent(vtkOITFrame& frame) = 0;
+  /// What GetAlgorithmName() is before the first frame, and after one without translucent props.
+  virtual std::string GetOwnAlgorithmName() const;
 
-  /// Name of the subclass's algorithm, as in the literature.
-  virtual const char* GetOwnAlgorithmName() = 0;
+  /// The properties as one value, for a context.
+  virtual vtkOITSettings MakeSettings(const vtkOITCapabilities& capabilities) const;
 
-  /// Empty, or one line that says what the context lacks for this method.
-  virtual std::string FindMissingCapability(const vtkOITCapabilities& capabilities) = 0;
+  /// Step 3 of a frame. Default: one job, all props by the subclass's engine.
+  virtual vtkOITPlan MakePlan(const vtkOITFrame& frame, const vtkOITSettings& settings);
 
-  /// The same for the bound framebuffer of a frame. Default: nothing is missing.
-  virtual std::string FindMissingInTarget(const vtkOITFrame& frame);
+  vtkOITEngine* GetEngine() const;
+  const vtkOITStatistics& GetStatistics() const;
 
-  /// One geometry pass: the delegate draws the frame's translucent props, with this pass among
-  /// their vtkOpenGLRenderPass::RenderPasses(), so that their shaders are changed by it.
-  void RenderGeometry(vtkOITFrame& frame);
-
-  /// Empty when a pass can draw the frame, otherwise one line that says what is missing.
-  static std::string FindMissing(vtkOITPass& pass, const vtkOITFrame& frame)
-  {
-    return pass.FindMissing(frame);
-  }
-
-  /// Lets another pass draw the frame's props, with this pass's delegate and FragmentPrecision, and
-  /// adds its statistics to those of this pass. GetAlgorithmName() is that of the other pass.
-  void RenderBy(vtkOITPass& pass, vtkOITFrame& frame);
-
-  /// Of what drew the last frame; nullptr for the name of the subclass.
-  void SetAlgorithmName(const char* name) { this->LastAlgorithmName = name; }
+  /// For setters: whether a number is in [low, high]; otherwise an error that names the property.
+  bool IsInRange(const char* property, double value, double low, double high);
+  /// For setters of properties with named values from 0 to `last`.
+  bool IsNamedValue(const char* property, int value, int last, const char* names);
 
   vtkSmartPointer<vtkRenderPass> TranslucentPass;
+  double TransmittanceThreshold = 1.0 / 512.0;
   int MaximumNumberOfPeels = 0;
   double OcclusionRatio = 0.0;
   vtkTypeInt64 MaximumBufferSize = 0; // bytes
   int FragmentPrecision = HALF;
 
-  int NumberOfGeometryPasses = 0;
-  vtkTypeInt64 NumberOfFragments = 0;
-  int MaximumDepthComplexity = 0;
-  vtkTypeInt64 BufferSizeInBytes = 0;
-  bool Exact = true;
-  double ErrorBound = 0.0;
-
 private:
-  std::string FindMissing(const vtkOITFrame& frame);
-  bool RenderByFallback(vtkOITFrame& frame, const std::string& reason);
-  void RenderFrame(vtkOITFrame& frame);
-  void RenderUnsorted(const vtkRenderState* state, const std::string& reason);
-  void Report(const char* consequence, const std::string& reason);
-  const vtkOITCapabilities& QueryCapabilities(vtkOpenGLRenderWindow* window);
-
-  std::unique_ptr<vtkOITCapabilities> Capabilities; // of CapabilitiesWindow
-  vtkOpenGLRenderWindow* CapabilitiesWindow = nullptr;
-  std::string ReportedReason;           // so that each reason is reported once, not every frame
-  vtkSmartPointer<vtkOITPass> Fallback; // of FallbackMethod, made when first needed
-  const char* FallbackMethod = nullptr;
-  const char* LastAlgorithmName = nullptr;
-
   vtkOITPass(const vtkOITPass&) = delete;
   void operator=(const vtkOITPass&) = delete;
+
+  void Draw(const vtkRenderState* state, std::vector<vtkProp*> props);
+  void DrawUnsorted(const vtkRenderState* state, const std::string& reason);
+  void Report();
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
 };
 
 #endif

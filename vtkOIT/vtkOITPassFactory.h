@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkOITPassFactory
- * @brief   the methods by name: what Python and the command line call them
+ * @brief   creates passes by the method names of Python and the command line
  *
- * The one list of method names (`abuffer`, ...) and the passes that they stand for.
+ * The one list of method names (`auto`, `abuffer`, ...) and of the passes that they stand for.
  *
  * @sa vtkOITPass vtkOITRendererHook
  */

@@ -8,24 +8,24 @@
  *
  * 1. The opaque depth is copied, so that the hardware tests against it while layers are gathered
  *    into buffers of the pass.
- * 2. A geometry pass gathers the layers of one peel, a screen pass (Resolve) blends them in float32
- *    with those of earlier peels and notes which part of the pixel's depths is left.
+ * 2. A geometry pass gathers the layers of one peel. A screen pass (Resolve) blends them in float32
+ *    with those of earlier peels, and notes which part of the pixel's depths is left.
  * 3. A screen pass (Mask) writes a depth buffer by which the hardware rejects, before they are
  *    shaded, fragments that are peeled already and all fragments of finished pixels. An occlusion
- *    query counts the pixels that are not finished. Props of which no fragment was left in a peel
- *    are not drawn any more.
- * 4. Steps 2 and 3 are repeated until no pixel has layers left. What MaximumNumberOfPeels or
- *    OcclusionRatio cut off is blended into its place as one group, weighted by opacity, in one
+ *    query counts the pixels that are not finished. Props that had no fragment left in a peel are
+ *    not drawn again.
+ * 4. Steps 2 and 3 are repeated until no pixel has layers left. Layers that MaximumNumberOfPeels or
+ *    OcclusionRatio cut off are blended in their place as one group, weighted by opacity, in one
  *    more geometry pass.
  * 5. The result is composited over what the framebuffer holds.
  *
- * Queries do not stall: a frame that follows another one reads results only when they are
- * available, until the peel that was the last one in the frame before; that one is waited for.
- * Where layers are kept (vtkOITDualDepthPeelingPass) and the first peel had all of them in the
- * frame before, it is composited at once, after its statistics were read.
+ * Queries do not stall the GPU: peels before the one that was the last in the previous frame read
+ * their results only when these are available, and only that peel waits for its result. Where
+ * layers are kept in buffers (vtkOITDualDepthPeelingPass) and the first peel had all of them in the
+ * previous frame, it is composited at once, after its statistics were read.
  *
- * Coincident fragments, whose float32 window depths are equal to the bit, count once each: as a
- * group they have the opacity `1 - Π(1 - α_i)` and the mean of their colours weighted by opacity.
+ * Coincident fragments, whose float32 window depths are equal to the bit, form a group with the
+ * opacity `1 - Π(1 - α_i)` and the mean of their colours weighted by opacity.
  *
  * Multisampled framebuffers are left to the A-buffer, see vtkOITPass.
  *
@@ -39,10 +39,7 @@
 #include "vtkOITModule.h" // for the export macro
 #include "vtkOITPass.h"
 
-#include <memory> // for the private parts
-
-class vtkOITPeeler;
-struct vtkOITRectangle;
+#include <memory> // for the engine
 
 class VTKOIT_EXPORT vtkOITPeelingPass : public vtkOITPass
 {
@@ -59,61 +56,24 @@ public:
   vtkBooleanMacro(UseOcclusionQuery, bool);
   ///@}
 
-  /// Layers behind a transmittance of at most this are skipped: no peel is spent on what changes
-  /// a colour by less. In [0, 1], default 1/512, half a step of 8 bits; 0 skips nothing, so the
-  /// result is exact. GetErrorBound() is the largest transmittance in front of what was skipped.
-  ///@{
-  vtkSetClampMacro(TransmittanceThreshold, double, 0.0, 1.0);
-  vtkGetMacro(TransmittanceThreshold, double);
-  ///@}
-
   /// Peels of the last frame, of its bands together; those that only prepare and the one that
   /// blends the rest included.
-  vtkGetMacro(NumberOfPeels, int);
+  int GetNumberOfPeels() const;
 
   /// Fragments of the last frame that were dropped because the method could not tell them apart.
-  vtkGetMacro(NumberOfLostFragments, vtkTypeInt64);
-
-  void ReleaseGraphicsResources(vtkWindow* window) override;
-
-  /// Called by mappers: the change of their shaders, and its uniforms.
-  ///@{
-  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
-    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
-  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
-    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
-  vtkMTimeType GetShaderStageMTime() override;
-  ///@}
+  vtkTypeInt64 GetNumberOfLostFragments() const;
 
 protected:
-  explicit vtkOITPeelingPass(std::unique_ptr<vtkOITPeeler> peeler);
+  explicit vtkOITPeelingPass(std::unique_ptr<vtkOITEngine> engine);
   ~vtkOITPeelingPass() override;
 
-  void RenderTranslucent(vtkOITFrame& frame) override;
-  std::string FindMissingCapability(const vtkOITCapabilities& capabilities) override;
-  std::string FindMissingInTarget(const vtkOITFrame& frame) override;
-
-  vtkOITPeeler& GetPeeler() const;
-  /// Between frames: another peeler in place of the one so far.
-  void SetPeeler(std::unique_ptr<vtkOITPeeler> peeler);
-  /// The next frame may need another number of peels than the last one.
-  void ForgetNumberOfPeels();
+  vtkOITSettings MakeSettings(const vtkOITCapabilities& capabilities) const override;
 
   bool UseOcclusionQuery = true;
-  double TransmittanceThreshold = 1.0 / 512;
-  int NumberOfPeels = 0;
-  vtkTypeInt64 NumberOfLostFragments = 0;
 
 private:
   vtkOITPeelingPass(const vtkOITPeelingPass&) = delete;
   void operator=(const vtkOITPeelingPass&) = delete;
-
-  void RenderBand(vtkOITFrame& frame, const vtkOITRectangle& band, std::size_t number);
-  void PeelBand(vtkOITFrame& frame, std::size_t number);
-  void RenderRemainingGeometry(vtkOITFrame& frame);
-
-  class Internals;
-  std::unique_ptr<Internals> Impl;
 };
 
 #endif

@@ -2,13 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITRendererHook.h"
 
+#include "Private/Hook/vtkOITPassChain.h"
+
 #include "vtkCommand.h"
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkOITPass.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderState.h"
 #include "vtkSmartPointer.h"
+
+#include <set>
+#include <string>
 
 namespace
 {
@@ -42,14 +48,24 @@ public:
     this->Superclass::ReleaseGraphicsResources(window);
   }
 
-  void ResetStatistics() { this->Pass->ResetStatistics(); }
+  /// Before and after a frame of the renderer.
+  ///@{
+  void Begin();
+  void End();
+  ///@}
 
   vtkSmartPointer<vtkOITPass> Pass;
-  unsigned long Observer = 0;              // of the renderer's StartEvent
+  vtkRenderer* Renderer = nullptr;
+  vtkOITPassChain Chain;                   // of the renderer, when it has one
+  unsigned long Observers[2] = { 0, 0 };   // of the renderer's StartEvent and EndEvent
+  std::string Obstacle;                    // why the renderer does not ask the pass in this frame
+  std::set<std::string> Warnings;          // that were printed
   vtkDepthPeelingPass* Previous = nullptr; // what the renderer owned before
   bool PreviousUseDepthPeeling = false;
 
 protected:
+  std::string FindObstacle();
+
   Adapter() = default;
   ~Adapter() override
   {
@@ -60,6 +76,64 @@ protected:
   }
 };
 vtkStandardNewMacro(Adapter);
+
+bool HasTranslucentProps(vtkRenderer* renderer)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    if (prop->GetVisibility() && prop->HasTranslucentPolygonalGeometry())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Empty, or why the renderer does not ask the pass: with a pass of its own it asks that one, and not
+/// the slot that the adapter sits in.
+std::string Adapter::FindObstacle()
+{
+  vtkRenderer* renderer = this->Renderer;
+  if (vtkRenderPass* chain = renderer->GetPass())
+  {
+    return this->Chain.Put(chain, this->Pass)
+      ? std::string()
+      : "The renderer has a pass, " + std::string(chain->GetClassName()) +
+        ", in which no translucent pass of VTK was found; put the pass there yourself, e.g. by "
+        "vtkRenderStepsPass::SetTranslucentPass()";
+  }
+  if (renderer->GetUseShadows())
+  {
+    return "VTK draws nothing translucent in a renderer with UseShadows; call UseShadowsOff()";
+  }
+  return renderer->GetUseDepthPeeling()
+    ? ""
+    : "The renderer's UseDepthPeeling is off, so the pass does not draw; call UseDepthPeelingOn(), "
+      "or uninstall the pass";
+}
+
+void Adapter::Begin()
+{
+  this->Pass->SetNotAsked();
+  this->Obstacle = this->FindObstacle();
+  if (!this->Obstacle.empty() && this->Warnings.insert(this->Obstacle).second)
+  {
+    vtkWarningMacro(<< this->Obstacle);
+  }
+}
+
+/// A frame in which the renderer found nothing translucent does not ask the pass either.
+void Adapter::End()
+{
+  if (this->Pass->GetNumberOfGeometryPasses() == 0 && !this->Pass->GetExact() &&
+    (this->Obstacle.empty() || !HasTranslucentProps(this->Renderer)))
+  {
+    this->Pass->ResetStatistics();
+  }
+}
 
 /// A derived class may name a protected member and apply the pointer to any vtkOpenGLRenderer:
 /// plain standard C++ ([class.protected]), no cast.
@@ -97,13 +171,18 @@ bool vtkOITRendererHook::Install(vtkRenderer* renderer, vtkOITPass* pass)
     adapter = Adapter::New(); // owned by the renderer, which calls Delete()
     adapter->Previous = Access::Slot(glRenderer);
     adapter->PreviousUseDepthPeeling = renderer->GetUseDepthPeeling() != 0;
-    adapter->Observer =
-      renderer->AddObserver(vtkCommand::StartEvent, adapter, &Adapter::ResetStatistics);
+    adapter->Renderer = renderer;
+    adapter->Observers[0] = renderer->AddObserver(vtkCommand::StartEvent, adapter, &Adapter::Begin);
+    adapter->Observers[1] = renderer->AddObserver(vtkCommand::EndEvent, adapter, &Adapter::End);
     Access::Slot(glRenderer) = adapter;
   }
-  else if (adapter->Pass != pass && renderer->GetVTKWindow())
+  else if (adapter->Pass != pass)
   {
-    adapter->Pass->ReleaseGraphicsResources(renderer->GetVTKWindow());
+    adapter->Chain.GiveBack();
+    if (renderer->GetVTKWindow())
+    {
+      adapter->Pass->ReleaseGraphicsResources(renderer->GetVTKWindow());
+    }
   }
   adapter->Pass = pass;
   renderer->UseDepthPeelingOn();
@@ -122,7 +201,11 @@ bool vtkOITRendererHook::Uninstall(vtkRenderer* renderer)
   {
     adapter->ReleaseGraphicsResources(renderer->GetVTKWindow());
   }
-  renderer->RemoveObserver(adapter->Observer);
+  for (const unsigned long observer : adapter->Observers)
+  {
+    renderer->RemoveObserver(observer);
+  }
+  adapter->Chain.GiveBack();
   renderer->SetUseDepthPeeling(adapter->PreviousUseDepthPeeling);
   Access::Slot(vtkOpenGLRenderer::SafeDownCast(renderer)) = adapter->Previous;
   adapter->Previous = nullptr;

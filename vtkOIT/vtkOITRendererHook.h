@@ -4,14 +4,14 @@
  * @class   vtkOITRendererHook
  * @brief   puts a vtkOITPass into a renderer that already exists
  *
- * Install() makes the renderer draw its translucent props with the given pass and keeps the
- * renderer's own pipeline around it: selection, SSAO, FXAA, volumes and overlays stay VTK's. It
- * works for every vtkOpenGLRenderer, also for application subclasses (PyVista, F3D, ParaView).
+ * Install() makes the renderer draw its translucent props with the given pass. The rest of the
+ * renderer's pipeline stays VTK's: selection, SSAO, FXAA, volumes and overlays. It works for every
+ * vtkOpenGLRenderer, also for subclasses of applications (PyVista, F3D, ParaView).
  *
- * The renderer's UseDepthPeeling is switched on; its MaximumNumberOfPeels and OcclusionRatio are
- * ignored while a pass is installed: the pass's own properties hold. Volumes are composited over
- * the translucent geometry, with UseDepthPeelingForVolumes as without. Uninstall() gives back what
- * Install() found.
+ * UseDepthPeeling of the renderer is switched on. Its MaximumNumberOfPeels and OcclusionRatio are
+ * ignored while a pass is installed; the pass has such properties of its own. Volumes are
+ * composited over the translucent geometry, whatever UseDepthPeelingForVolumes says. Uninstall()
+ * restores what Install() found.
  *
  * @sa vtkOITPass
  */

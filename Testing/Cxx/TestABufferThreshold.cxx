@@ -105,8 +105,6 @@ int TestABufferThreshold(int argc, char* argv[])
     [](Report& report, const Setup& setup)
     {
       Rig rig(setup, 8, 6);
-      report.Check(
-        vtkOITABufferPass::SafeDownCast(rig.Pass)->GetTransmittanceThreshold() == 0.0, "default");
       // The nearest 23 are enough, all are, all are not.
       for (const float opacity : { 0.4f, 0.2f, 0.05f })
       {

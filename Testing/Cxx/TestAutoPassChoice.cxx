@@ -94,11 +94,11 @@ void CheckNames(Report& report, const Setup& setup)
   }
   CheckEqual(report, "algorithm", rig.Pass->GetAlgorithmName(),
     setup.HasStorage ? "A-buffer" : "dual depth peeling");
-  CheckEqual(report, "choice of a reused frame", GetPass(rig)->GetChoice(),
+  CheckEqual(report, "choice of a reused frame", GetPass(rig)->GetAlgorithmReason(),
     "nothing has changed since the last frame");
   GetPass(rig)->ReuseFramesOff();
   rig.Render();
-  const std::string choice = GetPass(rig)->GetChoice();
+  const std::string choice = GetPass(rig)->GetAlgorithmReason();
   if (setup.HasStorage)
   {
     CheckEqual(report, "choice", choice, "its fragments fit into memory");
@@ -111,7 +111,8 @@ void CheckNames(Report& report, const Setup& setup)
   rig.AddQuad({ 0.5f, { 0.5f, 0.6f, 0.7f, 0.5f } });
   rig.Render();
   CheckEqual(report, "algorithm of a quad", rig.Pass->GetAlgorithmName(), "ordered blending");
-  CheckEqual(report, "choice", GetPass(rig)->GetChoice(), "the order of all props is known");
+  CheckEqual(
+    report, "choice", GetPass(rig)->GetAlgorithmReason(), "the order of all props is known");
 
   // Sorted and blended props in one frame.
   rig.RemoveProps();
@@ -170,10 +171,10 @@ void CheckSmallMemory(Report& report, const Setup& setup, int width, int height,
   report.Check(!setup.HasStorage || names.count("A-buffer") > 0,
     what + ": drawn by " + *names.begin() + ", which needs more passes");
   std::printf("%s: %s, %d geometry passes: %s\n", what.c_str(), names.begin()->c_str(),
-    passes.back(), GetPass(rig)->GetChoice().c_str());
+    passes.back(), GetPass(rig)->GetAlgorithmReason().c_str());
   if (setup.HasStorage)
   {
-    CheckEqual(report, what + ": choice", GetPass(rig)->GetChoice(),
+    CheckEqual(report, what + ": choice", GetPass(rig)->GetAlgorithmReason(),
       "in bands, as its fragments do not fit into memory");
   }
   report.Check(std::set<int>(passes.begin(), passes.end()).size() == 1,
@@ -260,8 +261,8 @@ void CheckFallbacks(Report& report, const Setup& setup)
     report.Check(names.size() == 1 && names.count("A-buffer") == 0 &&
         (isHalf || names.count("dual depth peeling") > 0),
       std::string("without ") + hidden + ": drawn by " + *names.begin());
-    report.Check(GetPass(rig)->GetChoice().find("lacks GL_") != std::string::npos,
-      std::string("without ") + hidden + ": the choice is " + GetPass(rig)->GetChoice());
+    report.Check(GetPass(rig)->GetAlgorithmReason().find("lacks GL_") != std::string::npos,
+      std::string("without ") + hidden + ": the choice is " + GetPass(rig)->GetAlgorithmReason());
   }
   vtksys::SystemTools::PutEnv("VTKOIT_HIDE_EXTENSIONS=");
 }

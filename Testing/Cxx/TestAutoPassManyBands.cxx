@@ -57,7 +57,7 @@ void CheckFrames(Report& report, const Setup& setup, int size)
     const vtkTypeInt64 bytes = rig.Pass->GetBufferSizeInBytes();
     const int passes = rig.Pass->GetNumberOfGeometryPasses();
     std::printf("%s: %s, %d geometry passes, %lld of %lld bytes, %.1f s\n", what.c_str(),
-      rig.Pass->GetAlgorithmName(), passes, static_cast<long long>(bytes),
+      rig.Pass->GetAlgorithmName().c_str(), passes, static_cast<long long>(bytes),
       static_cast<long long>(limit), seconds.count());
     report.Check(bytes > limit / 2 && bytes <= limit,
       what + ": the pass holds " + std::to_string(bytes) + " bytes of " + std::to_string(limit));

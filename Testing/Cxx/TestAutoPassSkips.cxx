@@ -56,8 +56,8 @@ void CheckCounts(Report& report, const Setup& setup, Rig& rig, const SkipScene& 
       : scene.Blended > 0                         ? "ordered blending"
                                                   : "automatic choice";
     report.Check(name == expected, scene.Name + ": drawn by " + name + ", expected " + expected);
-    report.Check(pass->GetChoice().empty() == (scene.Sorted == 0 && scene.Blended == 0),
-      scene.Name + ": the choice is " + pass->GetChoice());
+    report.Check(pass->GetAlgorithmReason().empty() == (scene.Sorted == 0 && scene.Blended == 0),
+      scene.Name + ": the choice is " + pass->GetAlgorithmReason());
   }
   report.Check(scene.Passes == Any || pass->GetNumberOfGeometryPasses() == scene.Passes,
     scene.Name + ": " + std::to_string(pass->GetNumberOfGeometryPasses()) +

@@ -31,7 +31,7 @@ int TestPassFactory(int, char*[])
     {
       continue;
     }
-    report.Check(!std::string(pass->GetAlgorithmName()).empty(), name + " has no algorithm name");
+    report.Check(!pass->GetAlgorithmName().empty(), name + " has no algorithm name");
     report.Check(vtkTranslucentPass::SafeDownCast(pass->GetTranslucentPass()),
       name + " starts without a vtkTranslucentPass");
     report.Check(pass->GetMaximumNumberOfPeels() == 0, name + ": peels are limited");
@@ -39,10 +39,9 @@ int TestPassFactory(int, char*[])
     report.Check(pass->GetMaximumBufferSize() == 0, name + ": the storage is limited");
     report.Check(pass->GetNumberOfGeometryPasses() == 0, name + ": has rendered already");
     report.Check(pass->GetBufferSizeInBytes() == 0, name + ": holds buffers already");
-    pass->SetOcclusionRatio(0.75);
-    report.Check(pass->GetOcclusionRatio() == 0.5, name + ": occlusion ratio is not clamped");
-    pass->SetMaximumNumberOfPeels(-3);
-    report.Check(pass->GetMaximumNumberOfPeels() == 0, name + ": peels are not clamped");
+    report.Check(
+      pass->GetTransmittanceThreshold() == 1.0 / 512.0, name + ": another transmittance threshold");
+    report.Check(pass->GetFragmentPrecision() == vtkOITPass::HALF, name + ": another precision");
 
     std::ostringstream text;
     pass->Print(text);

@@ -8,12 +8,18 @@
 #include "Scenes/Random.h"
 
 #include "vtkCommand.h"
+#include "vtkDefaultPass.h"
 #include "vtkNew.h"
 #include "vtkOITRendererHook.h"
 #include "vtkOutputWindow.h"
+#include "vtkRenderStepsPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSSAAPass.h"
 #include "vtkStringOutputWindow.h"
+
+#include <functional>
+#include <utility>
 
 using namespace vtkOITTest;
 
@@ -92,6 +98,75 @@ void CheckCycle(Report& report, const Setup& setup)
   vtkOITRendererHook::Install(rig.Renderer, survivor);
   report.Compare("moved to a window that was there before", rig.Render(), expected, bound);
 }
+
+/// A renderer with a pass of its own, set before or after: the translucent slots of VTK's containers
+/// are taken, and given back.
+void CheckChains(Report& report, const Setup& setup)
+{
+  const std::vector<Layer> layers = Random(52).Layers(8);
+  Rig rig(setup, 16, 12);
+  setup.Detach(rig.Renderer);
+  rig.AddStack(layers);
+  const Report::Expected expected =
+    Everywhere(ReferenceCompositor::Composite(layers, rig.GetBackground()));
+  vtkNew<vtkRenderStepsPass> steps;
+  vtkRenderPass* translucent = steps->GetTranslucentPass();
+  vtkNew<vtkSSAAPass> ssaa;
+  ssaa->SetDelegatePass(steps);
+  for (const bool isBefore : { true, false })
+  {
+    const std::string what = isBefore ? "a chain set before" : "a chain set after";
+    if (isBefore)
+    {
+      rig.Renderer->SetPass(ssaa);
+    }
+    vtkOITRendererHook::Install(rig.Renderer, rig.Pass);
+    rig.Renderer->SetPass(ssaa);
+    report.Compare(what, rig.RenderWindow(), expected, Rig::WindowTolerance());
+    report.Check(rig.Pass->GetNumberOfGeometryPasses() > 0 && rig.Pass->GetExact(),
+      what + ": the pass was not asked, or is not exact");
+    report.Check(steps->GetTranslucentPass() == rig.Pass, what + ": another pass in the slot");
+    vtkOITRendererHook::Uninstall(rig.Renderer);
+    report.Check(steps->GetTranslucentPass() == translucent, what + ": the slot is not given back");
+    rig.Renderer->SetPass(nullptr);
+  }
+}
+
+/// What keeps the renderer from asking the pass is told once, and no frame is called exact.
+void CheckObstacles(Report& report, const Setup& setup)
+{
+  using Change = std::function<void(vtkRenderer*)>;
+  vtkNew<vtkDefaultPass> chain;
+  const std::vector<std::pair<std::string, Change>> obstacles{
+    { "UseDepthPeeling", [](vtkRenderer* renderer) { renderer->UseDepthPeelingOff(); } },
+    { "UseShadows", [](vtkRenderer* renderer) { renderer->UseShadowsOn(); } },
+    { "vtkDefaultPass", [&](vtkRenderer* renderer) { renderer->SetPass(chain); } }
+  };
+  vtkSmartPointer<vtkOutputWindow> previous = vtkOutputWindow::GetInstance();
+  for (const auto& [name, change] : obstacles)
+  {
+    Rig rig(setup, 16, 12);
+    rig.AddStack(Random(53).Layers(3));
+    report.Check(!rig.Pass->GetExact(), name + ": exact before the first frame");
+    rig.RenderWindow();
+    report.Check(rig.Pass->GetExact(), name + ": the first frame is not exact");
+    change(rig.Renderer);
+    vtkNew<vtkStringOutputWindow> messages;
+    vtkOutputWindow::SetInstance(messages);
+    rig.RenderWindow();
+    const std::string first = messages->GetOutput();
+    rig.RenderWindow();
+    const std::string second = messages->GetOutput();
+    vtkOutputWindow::SetInstance(previous);
+    report.Check(first.find(name) != std::string::npos, name + ": the warning is " + first);
+    report.Check(second == first, name + ": warned again");
+    report.Check(!rig.Pass->GetExact() && rig.Pass->GetNumberOfGeometryPasses() == 0,
+      name + ": a frame without the pass is called exact");
+    rig.RemoveProps();
+    rig.RenderWindow();
+    report.Check(rig.Pass->GetExact(), name + ": a frame without translucent props is not exact");
+  }
+}
 }
 
 int TestRendererHook(int argc, char* argv[])
@@ -101,5 +176,7 @@ int TestRendererHook(int argc, char* argv[])
     {
       CheckErrors(report, setup);
       CheckCycle(report, setup);
+      CheckChains(report, setup);
+      CheckObstacles(report, setup);
     });
 }

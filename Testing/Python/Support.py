@@ -38,9 +38,10 @@ def bare_environment():
                             "VTK_DEFAULT_OPENGL_WINDOW")}
 
 
-def run(*arguments, cwd=None, name="vtkoit"):
-    """Runs bin/NAME with the arguments; the subprocess.CompletedProcess with text."""
-    return subprocess.run([program(name), *arguments], cwd=cwd, env=bare_environment(),
+def run(*arguments, cwd=None, name="vtkoit", **variables):
+    """Runs bin/NAME with the arguments and environment variables; the subprocess.CompletedProcess
+    with text."""
+    return subprocess.run([program(name), *arguments], cwd=cwd, env={**bare_environment(), **variables},
                           stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
 
 
@@ -154,6 +155,21 @@ def sphere_renderer():
         add_actor(renderer, sphere, color, 0.4 if i < 3 else 1.0)
     renderer.ResetCamera()
     return renderer
+
+
+def compose(colors, alphas, background):
+    """Layers front to back over a background, by the definition: C = sum of T_i a_i c_i + T C_background.
+
+    colors: n x 3. alphas: n. background: (r, g, b, a), premultiplied, as the result, an array.
+    """
+    import numpy
+
+    transmittance = 1.0
+    result = numpy.zeros(4)
+    for color, alpha in zip(colors, alphas):
+        result += transmittance * alpha * numpy.array([*color, 1.0])
+        transmittance *= 1.0 - alpha
+    return result + transmittance * numpy.asarray(background, dtype=float)
 
 
 def draw(renderer, size=(120, 100)):

@@ -10,7 +10,6 @@ from unittest import mock
 import numpy
 import Support
 import vtkoit
-from vtkoit import reference
 from vtkoit.bench import (
     accuracy,
     catalogue,
@@ -27,86 +26,7 @@ from vtkoit.bench import (
 from vtkoit.bench.store import Store, read_png
 from vtkoit.errors import Error
 
-BACKGROUND = (0.2, 0.4, 0.6, 0.5)
-
-
-def background(shape):
-    return numpy.broadcast_to(numpy.array(BACKGROUND), (*shape, 4))
-
-
-class TestComposite(unittest.TestCase):
-    def compose(self, fragments, shape=(1, 1)):
-        return truth.composite(numpy.array(fragments, dtype=numpy.float32), shape, background(shape))
-
-    def test_nothing(self):
-        pixels, layers = self.compose(numpy.zeros((0, 7)), (2, 3))
-        numpy.testing.assert_array_equal(pixels, background((2, 3)))
-        self.assertEqual(layers.sum(), 0)
-
-    def test_equal_layers(self):
-        for number, alpha in ((1, 0.5), (7, 0.25), (1000, 1 / 1024)):
-            depth = numpy.arange(1, number + 1) / 2048
-            fragments = [(0, 0, d, 0.75, 0.5, 0.25, alpha) for d in depth]
-            pixels, layers = self.compose(fragments)
-            left = (1.0 - alpha) ** number
-            expected = (1 - left) * numpy.array([0.75, 0.5, 0.25, 1]) + left * numpy.array(BACKGROUND)
-            numpy.testing.assert_allclose(pixels[0, 0], expected, rtol=1e-12)
-            self.assertEqual(layers[0, 0], number)
-
-    def test_place_and_order(self):
-        # Rows of fragments count from below, rows of pixels from the top.
-        fragments = [(2, 0, 0.75, 0, 1, 0, 0.5), (2, 0, 0.5, 1, 0, 0, 0.25), (0, 1, 0.5, 0, 0, 1, 1)]
-        pixels, layers = self.compose(fragments, (2, 3))
-        expected = reference.compose([(1, 0, 0), (0, 1, 0)], [0.25, 0.5], BACKGROUND)
-        numpy.testing.assert_allclose(pixels[1, 2], expected, rtol=1e-12)
-        numpy.testing.assert_allclose(pixels[0, 0], [0, 0, 1, 1])
-        numpy.testing.assert_array_equal(layers, [[1, 0, 0], [0, 0, 2]])
-        numpy.testing.assert_array_equal(pixels[0, 1], BACKGROUND)
-
-    def test_coincident_fragments(self):
-        # 1 - (1 - 1/2) (1 - 1/4) = 5/8; colour (1/2 red + 1/4 green) / (3/4).
-        group = [(0, 0, 0.5, 1, 0, 0, 0.5), (0, 0, 0.5, 0, 1, 0, 0.25)]
-        pixels, layers = self.compose(group)
-        expected = reference.compose([(2 / 3, 1 / 3, 0)], [0.625], BACKGROUND)
-        numpy.testing.assert_allclose(pixels[0, 0], expected, rtol=1e-12)
-        self.assertEqual(layers[0, 0], 2)
-        apart = [group[0], (0, 0, numpy.nextafter(numpy.float32(0.5), numpy.float32(1)), 0, 1, 0, 0.25)]
-        pixels, _ = self.compose(apart)
-        expected = reference.compose([(1, 0, 0), (0, 1, 0)], [0.5, 0.25], BACKGROUND)
-        numpy.testing.assert_allclose(pixels[0, 0], expected, rtol=1e-12)
-
-    def test_same_for_every_order(self):
-        random = numpy.random.default_rng(8)
-        fragments = numpy.c_[random.integers(0, 4, 200), random.integers(0, 3, 200),
-                             random.integers(1, 9, 200) / 16, random.random((200, 4))]
-        first, _ = self.compose(fragments, (3, 4))
-        for _ in range(3):
-            again, _ = self.compose(random.permutation(fragments), (3, 4))
-            numpy.testing.assert_allclose(again, first, rtol=1e-12)
-
-
-class TestFragments(unittest.TestCase):
-    def test_quads_by_the_abuffer(self):
-        renderer = Support.quad_renderer()
-        Support.add_quad(renderer, 0.5, (1, 0, 0), 0.5)
-        Support.add_quad(renderer, 0.0, (0, 1, 0), 0.25)
-        Support.add_quad(renderer, 0.0, (0, 0, 1), 0.25)
-        for precision in ("half", "float"):
-            instance = vtkoit.install(renderer, "abuffer", FragmentPrecision=precision)
-            Support.draw_and(renderer, (24, 20), lambda: self.check(instance))
-
-    def check(self, instance):
-        fragments = truth.fragments_of(instance)
-        self.assertEqual(len(fragments), instance.GetNumberOfFragments())
-        pixels, layers = truth.composite(fragments, (20, 24), numpy.zeros((20, 24, 4)))
-        self.assertEqual(layers[10, 12], 3)
-        # Green and blue lie in one plane: 1 - (3/4)^2 of their mean.
-        expected = reference.compose([(1, 0, 0), (0, 0.5, 0.5)], [0.5, 0.4375], (0, 0, 0, 0))
-        numpy.testing.assert_allclose(pixels[10, 12], expected, atol=1e-6)
-
-    def test_nothing_captured(self):
-        self.assertEqual(truth.fragments_of(vtkoit.create("abuffer")).shape, (0, 7))
-
+class TestTruth(unittest.TestCase):
     def test_truth_of_a_scene(self):
         chosen, = catalogue.choose(["hull"])
         found = truth.find(stage.Stage(chosen, (64, 48)))
@@ -275,7 +195,7 @@ class TestContenders(unittest.TestCase):
         self.assertEqual(contenders.parse("multilayer:NumberOfLayersPerPass=16"),
                          ("multilayer", {"NumberOfLayersPerPass": "16"}))
         self.assertEqual(contenders.parse("vtk-dual"), ("vtk-dual", {}))
-        for name, text in (("nothing", "unknown; there are: blend"), ("dual:x", "NAME=VALUE"),
+        for name, text in (("nothing", "unknown; the methods are: blend"), ("dual:x", "NAME=VALUE"),
                            ("dual:Nothing=1", "has no property"), ("vtk-dual:a=1", "no properties"),
                            ("multilayer:NumberOfLayersPerPass=5", "is refused")):
             with self.assertRaisesRegex(Error, text):

@@ -128,7 +128,7 @@ class TestRun(BenchTest):
 class TestRefusals(BenchTest):
     def test_bad_input(self):
         self.fails("--scenes", "nothing", text="no such scene or file")
-        self.fails("--methods", "nothing", text="unknown; there are: blend vtk-weighted")
+        self.fails("--methods", "nothing", text="unknown; the methods are: blend vtk-weighted")
         self.fails("--methods", "dual:Depth", text="give METHOD:NAME=VALUE")
         self.fails("--methods", "vtk-peel:a=1", text="no properties here")
         self.fails("--size", "0x5", text="give WIDTHxHEIGHT")

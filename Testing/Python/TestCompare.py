@@ -65,7 +65,7 @@ class TestCompare(Support.FolderTest):
 
     def test_refusals(self):
         for arguments, text in (
-                (["nothing.vtp"], "no such file"), (["outer.vtp", "--methods", "x"], "unknown; there"),
+                (["nothing.vtp"], "no such file"), (["outer.vtp", "--methods", "x"], "unknown; the methods"),
                 (["outer.vtp", "--size", "1"], "give WIDTHxHEIGHT"),
                 (["outer.vtp", "--opacity", "2"], "not in the range"),
                 (["outer.vtp", "-o", "inner.vtp"], "cannot be made")):

@@ -118,6 +118,32 @@ class TestErrors(Support.FolderTest):
         self.render_fails("a.vtp", "--set", "Magic", text="NAME=VALUE")
         self.render_fails("a.vtp", "--set", "FragmentPrecision=low", text="one of float, half")
 
+    def test_one_error_for_each_form(self):
+        """The same words, whichever command and option says it."""
+        for method, settings, text in (
+                ("magic", [], "method magic: unknown; the methods are: .*auto abuffer"),
+                ("dual", ["Depth"], "method dual:Depth: give METHOD:NAME=VALUE,NAME=VALUE"),
+                ("dual", ["=1"], "method dual:=1: give METHOD:NAME=VALUE,NAME=VALUE"),
+                ("dual", ["Magic=1"], "method dual:Magic=1: vtkOITDual.* has no property 'Magic'"),
+                ("dual", ["OcclusionRatio=0.1", "Magic=1"], "method dual:OcclusionRatio=0.1,Magic=1: ")):
+            whole = ":".join([method, ",".join(settings)]) if settings else method
+            one_by_one = [word for setting in settings for word in ("--set", setting)]
+            self.render_fails("a.vtp", "--method", whole, text=text)
+            self.render_fails("a.vtp", "--method", method, *one_by_one, text=text)
+            if settings:
+                self.render_fails("a.vtp", "--method", method, "--set", ",".join(settings), text=text)
+            self.fails("compare", "a.vtp", "--methods", whole, text=text)
+            self.fails("bench", "--methods", whole, text=text)
+
+    def test_properties_out_of_range(self):
+        for value in ("nan", "inf", "-inf", "1e400", "-1", "2", "1e30", "9" * 30, "x", "0x1", "\xbd"):
+            for name in ("TransmittanceThreshold", "OcclusionRatio"):
+                self.render_fails("a.vtp", "--method", "dual", "--set", "%s=%s" % (name, value),
+                                  text="%s.* is refused; " % name)
+        for name in ("FragmentPrecision", "MaximumBufferSize", "MaximumNumberOfPeels", "ReuseFrames"):
+            for value in ("nan", "-3", "0.5", "1e30", "9" * 30):
+                self.render_fails("a.vtp", "--set", "%s=%s" % (name, value), text=name)
+
     def test_values(self):
         for option, value, text in (
                 ("--size", "20", "WIDTHxHEIGHT"), ("--size", "0x20", "from 1 to"),
@@ -130,9 +156,19 @@ class TestErrors(Support.FolderTest):
                 ("--camera", "0,0,0", "--camera"), ("--camera", "1,1,1,1,1,1,0,0,1", "the same"),
                 ("--up", "w", "--up w"), ("--zoom", "0", "range"), ("--range", "3,1", "LOW,HIGH"),
                 ("--samples", "99", "0 .none. to 16"), ("--spacing", "1,2", "X,Y,Z"),
-                ("--raw", "8x8", "TYPE"), ("--smooth", "-1", "--smooth")):
+                ("--raw", "8x8", "TYPE"), ("--smooth", "-1", "--smooth"),
+                ("--size", "5\xb2x50", "WIDTHxHEIGHT"), ("--size", "9" * 5000 + "x9", "WIDTHxHEIGHT"),
+                ("--raw", "9" * 30 + "x3:uint8", "TYPE"), ("--zoom", "\xb2", "not a number"),
+                ("--labels", "100.7", "100.7 is not a whole number"), ("--labels", "1e10", "range"),
+                ("--labels", "1,2.5", "2.5 is not a whole number")):
             with self.subTest(option=option, value=value):
                 self.render_fails("a.vtp", option, value, text=text)
+
+    def test_no_value(self):
+        for option in ("--size", "--camera", "--zoom", "--method", "--set", "--samples", "--opacity",
+                       "--read-timeout"):
+            self.render_fails("a.vtp", option + "=--", text="%s: a value is missing" % option)
+        self.render_fails("a.vtp", "--read-timeout=--", text="a value is missing", here=False)
 
     def test_isosurface(self):
         Support.write_volume(self.path("a.vti"))

@@ -9,6 +9,7 @@ import unittest
 import numpy
 import Support
 import vtkoit
+from vtkoit import method_option
 
 
 class TestRender(Support.FolderTest):
@@ -103,6 +104,9 @@ class TestRender(Support.FolderTest):
             self.assertGreater(pixels.std(), 3.0, camera)
             pictures.append(pixels.tobytes())
         self.assertEqual(len(set(pictures)), len(pictures))
+        for camera in ("1e300,2e300,3e300", "1e-320,2e-320,3e-320"):  # lengths do not matter
+            pixels, _ = self.render("a.vti", "--isosurface", "150", "--camera", camera)
+            self.assertGreater(pixels.std(), 3.0, camera)
         self.render("a.vti", "--isosurface", "150", "--camera", "-1,0,0", "--up", "-z",
                     "--parallel", "--zoom", "2")
 
@@ -141,8 +145,15 @@ class TestRender(Support.FolderTest):
 
     def test_method_and_properties(self):
         Support.write_sphere(self.path("a.vtp"))
-        self.render("a.vtp", "--method", "abuffer", "--set", "FragmentPrecision=float",
-                    "--set", "maximum_buffer_size=4194304")
+        first, second = "FragmentPrecision=float", "maximum_buffer_size=4194304"
+        for options in (["abuffer", "--set", first, "--set", second],
+                        ["abuffer", "--set", "%s,%s" % (first, second)],
+                        ["abuffer:%s" % first, "--set", second],
+                        ["abuffer:%s,%s" % (first, second)]):
+            given = method_option.parse(method_option.joined(options[0], options[2::2]))
+            self.assertEqual(given, ("abuffer", {"FragmentPrecision": "float",
+                                                 "maximum_buffer_size": "4194304"}))
+        self.render("a.vtp", "--method", *options)
 
     def test_every_method(self):
         Support.write_sphere(self.path("outer.vtp"), 2.0)
@@ -159,8 +170,6 @@ class TestRender(Support.FolderTest):
                 algorithm = "A-buffer"
             # Not another one in its place: by default without multisampling, which most cannot.
             self.assertIn("by %s," % algorithm, text)
-        _, text = self.render("outer.vtp", "--opacity", "0.3", "--method", "dual", "--samples", "4")
-        self.assertIn("by A-buffer,", text)
 
     def test_other_formats_of_pictures(self):
         Support.write_sphere(self.path("a.vtp"))
@@ -175,6 +184,62 @@ class TestRender(Support.FolderTest):
         Support.write_sphere(self.path("a.vtp"))
         for size in ((1, 1), (3, 7), (257, 129)):
             self.render("a.vtp", size=size)
+
+
+class TestFallback(Support.FolderTest):
+    """A method that cannot run: another one draws, and one line says so."""
+
+    HIDDEN = "GL_ARB_shader_storage_buffer_object"
+
+    def setUp(self):
+        super().setUp()
+        Support.write_sphere(self.path("outer.vtp"), 2.0)
+        Support.write_sphere(self.path("inner.vtp"), 1.0)
+
+    def draw(self, *arguments, hidden=HIDDEN):
+        """(what was printed, the warnings as one str)."""
+        done = Support.run("render", "outer.vtp", "inner.vtp", "--opacity", "0.3", "0.6", "--size", "40x30",
+                           "-o", "a.png", *arguments, cwd=self.folder, VTKOIT_HIDE_EXTENSIONS=hidden)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout, done.stderr
+
+    def test_without_storage_buffers(self):
+        out, warning = self.draw("--method", "abuffer")
+        self.assertIn("by dual depth peeling,", out)
+        self.assertRegex(warning, r"^vtkoit render: warning: the method abuffer does not run here \(.*%s.*\); "
+                         r"drawn by dual depth peeling\n$" % self.HIDDEN)
+        exact = Support.read_picture(self.path("a.png")).astype(int)
+        out, warning = self.draw()
+        self.assertNotIn("unsorted", out)
+        self.assertEqual(warning, "")  # to choose is what auto is for
+        self.draw("--samples", "0", hidden="")
+        right = Support.read_picture(self.path("a.png"))
+        self.assertLessEqual(abs(exact - right).max(), 2)
+
+    def test_when_nothing_is_exact(self):
+        out, warning = self.draw("--samples", "4")
+        self.assertIn("unsorted blending,", out)
+        self.assertRegex(warning, r"^vtkoit render: warning: the method auto .*; drawn by unsorted "
+                         r"blending, which is not exact\n$")
+
+    def test_peeling_with_samples(self):
+        for method in ("peel", "dual", "multilayer", "bucket", "weighted-sum"):
+            out, warning = self.draw("--method", method, "--samples", "4", hidden="")
+            self.assertIn("by A-buffer,", out)
+            self.assertRegex(warning, r"^vtkoit render: warning: the method %s does not run here "
+                             r"\(.* one sample a pixel .*\); drawn by A-buffer\n$" % method)
+
+    def test_tables(self):
+        for command in (["compare", "outer.vtp", "--opacity", "0.3"],
+                        ["bench", "--scenes", "layers-4", "--frames", "1", "--no-plots"]):
+            done = Support.run(*command, "--methods", "abuffer", "auto", "dual", "--size", "30x20",
+                               cwd=self.folder, VTKOIT_HIDE_EXTENSIONS=self.HIDDEN)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn("; truth: the picture of peel", done.stdout)
+            self.assertRegex(done.stdout, r"(?m)^  abuffer +\d.*  drawn by dual depth peeling: .*%s"
+                             % self.HIDDEN)
+            self.assertRegex(done.stdout, r"(?m)^  auto +\d.*  drawn by (ordered|dual|blended)\b.*")
+            self.assertRegex(done.stdout, r"(?m)^  dual +\d[^a-z]*(yes|no)[^a-z]*$")
 
 
 class TestMethods(unittest.TestCase):

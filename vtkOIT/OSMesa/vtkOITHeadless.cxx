@@ -6,11 +6,13 @@
 #include "vtkVersionMacros.h"
 
 #ifdef VTKOIT_HAS_OSMESA_WINDOW
+#include "Private/vtkOITForkedTrial.h"
 #include "Private/vtkOITOSMesaContext.h"
 #include "Private/vtkOITOSMesaFactory.h"
 #include "Private/vtkOITOSMesaRedirection.h"
 #elif VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0) && defined(__unix__)
 #define VTKOIT_HAS_RUN_TIME_WINDOWS
+#include "Private/vtkOITForkedTrial.h"
 #include "vtkRenderWindow.h"
 #include "vtkSmartPointer.h"
 
@@ -30,12 +32,18 @@ std::string BackendName;
 // Each of these returns the backend's name, or an empty string and an error.
 std::string SetUp(std::string& error)
 {
-  // One context is made and dropped: better to fail here than at the first frame.
-  if (!vtkOITOSMesaContext::Create(nullptr, error))
+  // One context is made and dropped, elsewhere: better to fail here than at the first frame.
+  error = vtkOITTryInChild(
+    []()
+    {
+      std::string reason;
+      vtkOITOSMesaContext::Create(nullptr, reason);
+      return reason;
+    });
+  if (error.empty())
   {
-    return {};
+    error = vtkOITOSMesaRedirection::Update();
   }
-  error = vtkOITOSMesaRedirection::Update();
   if (!error.empty())
   {
     return {};
@@ -65,9 +73,14 @@ bool CanOpen(const char* library, std::string& error)
 bool WindowWorks(const char* className)
 {
   setenv(WindowVariable, className, 1);
-  auto window = vtkSmartPointer<vtkRenderWindow>::New();
-  window->SetOffScreenRendering(1);
-  return window->IsA(className) && window->SupportsOpenGL();
+  return vtkOITTryInChild(
+    [className]() -> std::string
+    {
+      auto window = vtkSmartPointer<vtkRenderWindow>::New();
+      window->SetOffScreenRendering(1);
+      return window->IsA(className) && window->SupportsOpenGL() ? "" : "it does not";
+    })
+    .empty();
 }
 
 //------------------------------------------------------------------------------

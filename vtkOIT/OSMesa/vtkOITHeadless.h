@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkOITHeadless
- * @brief   render without a display, on the CPU
+ * @brief   render without a display: on the CPU, or by EGL
  *
  * Call Initialize() once, before the first render window is made:
  *
@@ -10,13 +10,13 @@
  *    on, and every vtkRenderWindowInteractor::New() an interactor without a window system. The
  *    distribution's VTK, built for X, is used as it is: its OpenGL calls are redirected to
  *    libOSMesa.so.8, in whatever order the libraries were linked, loaded or imported.
- * 2. With VTK 9.4 and later VTK's own window of OSMesa is chosen where libOSMesa.so.8 can be
- *    opened, and otherwise VTK's window of EGL, which needs no display either, and draws on a GPU
- *    where its driver has EGL. The environment variable VTK_DEFAULT_OPENGL_WINDOW is set to the
- *    choice, for this process only; when it is vtkEGLRenderWindow before, OSMesa is not tried.
+ * 2. With VTK 9.4 and later VTK's own OSMesa window is chosen where libOSMesa.so.8 can be opened,
+ *    otherwise VTK's EGL window, which draws on a GPU where its driver has EGL. The environment
+ *    variable VTK_DEFAULT_OPENGL_WINDOW is set to the choice, for this process only; when it is
+ *    vtkEGLRenderWindow already, OSMesa is not tried.
  *
- * No environment needs to be set. Windows that show something on a screen cannot be made in the
- * same process after a successful call under 1.
+ * No environment variable needs to be set. With VTK 9.1 to 9.3, windows on a screen cannot be made
+ * in the same process after a successful call.
  *
  * @sa vtkOITOSMesaRenderWindow
  */

@@ -3,6 +3,7 @@
 #include "vtkOITOSMesaRenderWindow.h"
 
 #include "Private/vtkOITOSMesaContext.h"
+#include "Private/vtkOITOSMesaLiveWindows.h"
 #include "Private/vtkOITOSMesaRedirection.h"
 
 #include "vtkCollection.h"
@@ -14,9 +15,6 @@
 #include "vtk_glew.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <mutex>
-#include <set>
 #include <sstream>
 #include <vector>
 
@@ -31,61 +29,6 @@ public:
   int Started = 0;
   std::string Report;
 };
-
-namespace
-{
-/**
- * The windows that have a context. Mesa tears itself down when the process exits, before static
- * objects are destroyed; what a window still holds then must be released earlier.
- */
-class LiveWindows
-{
-public:
-  static LiveWindows& Get()
-  {
-    static LiveWindows* instance = new LiveWindows; // never destroyed: a window may end later
-    return *instance;
-  }
-
-  void Add(vtkOITOSMesaRenderWindow* window)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    if (!this->HasExitHandler)
-    {
-      // Exit handlers run last in, first out, and Mesa set up its own for the first context.
-      this->HasExitHandler = std::atexit([]() { LiveWindows::Get().Finalize(); }) == 0;
-    }
-    this->Windows.insert(window);
-  }
-
-  void Remove(vtkOITOSMesaRenderWindow* window)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Windows.erase(window);
-  }
-
-private:
-  LiveWindows() = default;
-
-  void Finalize()
-  {
-    while (vtkOITOSMesaRenderWindow* window = this->GetFirst())
-    {
-      window->Finalize(); // removes it
-    }
-  }
-
-  vtkOITOSMesaRenderWindow* GetFirst()
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    return this->Windows.empty() ? nullptr : *this->Windows.begin();
-  }
-
-  std::mutex Mutex;
-  std::set<vtkOITOSMesaRenderWindow*> Windows;
-  bool HasExitHandler = false;
-};
-}
 
 //------------------------------------------------------------------------------
 vtkOITOSMesaRenderWindow::vtkOITOSMesaRenderWindow()
@@ -146,7 +89,7 @@ void vtkOITOSMesaRenderWindow::CreateAWindow()
     vtkErrorMacro("no OpenGL context: " << error << ".");
     return;
   }
-  LiveWindows::Get().Add(this);
+  vtkOITOSMesaLiveWindows::Get().Add(this);
   this->Mapped = 1;
   this->OwnContext = 1;
   this->OpenGLInit();
@@ -160,9 +103,12 @@ void vtkOITOSMesaRenderWindow::DestroyWindow()
     return;
   }
   const vtkOITOSMesaContext::Binding before = vtkOITOSMesaContext::GetBinding();
-  this->MakeCurrent();
-  this->ReleaseGraphicsResources(this);
-  LiveWindows::Get().Remove(this);
+  if (vtkOITOSMesaContext::FindLossByFork().empty())
+  {
+    this->MakeCurrent();
+    this->ReleaseGraphicsResources(this);
+  }
+  vtkOITOSMesaLiveWindows::Get().Remove(this);
   this->Internals->Context.reset();
   vtkOITOSMesaContext::Restore(before);
   this->Internals->Stack.clear();
@@ -192,8 +138,12 @@ bool vtkOITOSMesaRenderWindow::Prepare()
   {
     return false;
   }
-  // Libraries that were loaded since the last frame may bring mappers that call OpenGL.
-  const std::string error = vtkOITOSMesaRedirection::Update();
+  std::string error = vtkOITOSMesaContext::FindLossByFork();
+  if (error.empty())
+  {
+    // Libraries that were loaded since the last frame may bring mappers that call OpenGL.
+    error = vtkOITOSMesaRedirection::Update();
+  }
   if (!error.empty())
   {
     vtkErrorMacro("nothing is drawn: " << error << ".");
@@ -314,7 +264,8 @@ int* vtkOITOSMesaRenderWindow::GetScreenSize()
 //------------------------------------------------------------------------------
 bool vtkOITOSMesaRenderWindow::HasFrame()
 {
-  return this->Internals->Context && this->Initialized && this->RenderFramebuffer->GetFBOIndex();
+  return this->Internals->Context && this->Initialized && this->RenderFramebuffer->GetFBOIndex() &&
+    vtkOITOSMesaContext::FindLossByFork().empty();
 }
 
 //------------------------------------------------------------------------------

@@ -4,16 +4,16 @@
  * @class   vtkOITOSMesaRenderWindow
  * @brief   a render window that lives in memory and draws with OSMesa
  *
- * For VTK 9.1 to 9.3 as distributions build them, for X only; later versions of VTK have a window
- * of their own for this. vtkOITHeadless::Initialize() makes vtkRenderWindow::New() give this class.
+ * For VTK 9.1 to 9.3 as distributions build them, for X only; later versions of VTK have such a
+ * window of their own. vtkOITHeadless::Initialize() makes vtkRenderWindow::New() give this class.
  *
  * 1. The first Render() makes an OpenGL context of OSMesa: core profile, the highest version that
  *    the library has (4.5 with Mesa's llvmpipe).
- * 2. VTK draws into its own framebuffer objects; there is nothing else to show or to copy to.
+ * 2. VTK draws into its own framebuffer objects; nothing is shown or copied elsewhere.
  *    SetShowWindow() and SetUseOffScreenBuffers() are accepted and change nothing in the picture.
- * 3. Pixels are read with vtkWindowToImageFilter, GetPixelData() and its like, as from any window.
+ * 3. Pixels are read with vtkWindowToImageFilter, GetPixelData() and the like, as from any window.
  *
- * When no context can be made, or the size is more than OpenGL takes (16384 by 16384 pixels with
+ * When no context can be made, or the size is more than OpenGL allows (16384 by 16384 pixels with
  * llvmpipe), Render() reports one error that names the reason and draws nothing.
  *
  * Requires libOSMesa.so.8 at run time and Linux.

@@ -8,10 +8,8 @@
 #include "vtkCameraPass.h"
 #include "vtkLightsPass.h"
 #include "vtkNew.h"
-#include "vtkOITAutoPass.h"
 #include "vtkOITHeadless.h"
 #include "vtkOITPassFactory.h"
-#include "vtkOITPeelingPass.h"
 #include "vtkOITRendererHook.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -132,14 +130,7 @@ vtkSmartPointer<vtkOITPass> Setup::CreatePass() const
   {
     pass->SetFragmentPrecision(
       this->FragmentStorage == Storage::Half ? vtkOITPass::HALF : vtkOITPass::FLOAT);
-  }
-  if (auto* peeling = vtkOITPeelingPass::SafeDownCast(pass))
-  {
-    peeling->SetTransmittanceThreshold(0.0);
-  }
-  if (auto* automatic = vtkOITAutoPass::SafeDownCast(pass))
-  {
-    automatic->SetTransmittanceThreshold(0.0);
+    pass->SetTransmittanceThreshold(0.0);
   }
   return pass;
 }

@@ -108,6 +108,9 @@ def _direction(spec, up):
         direction = _turned(math.radians(spec[0]), math.radians(spec[1]), up)
     else:
         direction = spec
+    # Of any length: squares of what is very long or short are not numbers of the computer.
+    longest = max(abs(d) for d in direction)
+    direction = tuple(d / longest for d in direction)
     # Looking along the axis that points up, another one must.
     length = math.sqrt(sum(d * d for d in direction))
     along = abs(sum(d * u for d, u in zip(direction, up))) / length

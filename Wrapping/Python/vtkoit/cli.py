@@ -2,215 +2,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command line: python3 -m vtkoit, build/bin/vtkoit."""
 
-import argparse
 import os
-import re
 import signal
 import sys
 import traceback
 
+from . import child, streams
 from .errors import Error, one_line
-from .version import PYTHON_VERSION, VERSION
+from .options import check, joined, parser
+from .values import parse_numbers
+from .version import PYTHON_VERSION
 
-_MAIN = """examples:
-  {prog} info
-  {prog} render skull.stl -o skull.png
-  {prog} render head.mhd --isosurface 500 1150 --opacity 0.3 0.9 -o head.png
-  {prog} compare head.mhd --isosurface 500 1150 --opacity 0.3 0.9 -o comparison
-  {prog} showcase -o pictures
-  {prog} bench --quick -o numbers"""
-
-_RENDER = """Volumes and grids give isosurfaces (--isosurface) or label surfaces (--labels), surfaces are drawn
-as they are. Without either option a volume of few whole numbers is drawn by labels, any other by two
-isovalues, which are printed. Several pictures (png, tif, ...) of one format make one volume.
-
-examples:
-  {prog} ironProt.vtk --isosurface 40 80 120 --opacity 0.2 -o protein.png
-  {prog} frog.mhd --labels --smooth 30 --background transparent -o frog.png
-  {prog} disk.ex2 --isosurface 400 600 --contour Temp --scalars Pres --colormap coolwarm -o disk.png
-  {prog} slices/*.tif --spacing 0.5,0.5,2 --isosurface 100 --camera -y -o scan.png
-  {prog} quarter.* --raw 64x64:uint16 --spacing 3.2,3.2,1.5 -o head.png
-  {prog} outer.stl inner.stl --color steelblue tomato --opacity 0.3 1 --size 1600x1200 -o parts.png"""
-
-_COMPARE = """Draws the same as the command render by every method, VTK's own too, and tells what a frame costs and
-how far its colours and its alpha are from the right ones, which are computed in double precision from
-all fragments. DIR receives METHOD.png, METHOD-difference.png, compare.csv and compare.json.
-
-examples:
-  {prog} ironProt.vtk --isosurface 40 80 120 --opacity 0.2 -o protein
-  {prog} skull.stl --opacity 0.4 --methods vtk-weighted vtk-dual-4 abuffer --size 1200x900"""
-
-_INFO = """Prints the versions, the class of the render window, the OpenGL context with the extensions that
-matter here, and for each method whether it runs and, if not, what is missing.
-
-example:
-  {prog}"""
-
-_SHOWCASE = """Draws procedural scenes three ways: VTK's default translucency, VTK's dual depth peeling until it
-is done, and vtkOIT. Prints the files, the time per frame, and the error of the colours (0 to 255) against
-a CPU reference that sorts every pixel's fragments in double precision. Pixels at silhouettes, which a
-rasteriser may or may not cover, are left out of the error.
-
-example:
-  {prog} -o pictures"""
-
-_BENCH = """Renders scenes by VTK's methods and ours, in turns and in one process, and tells what a frame costs and
-how far its colours and its alpha are from the right ones, which are computed in double precision from
-all fragments. DIR receives bench.csv, bench.json and pictures: time against error, cost growing with
-layers, triangles and pixels, and for each scene image and difference of each method.
-
-A run that was interrupted goes on when it is started again with the same DIR; what was measured with
-another build, size or number of frames is measured again.
-
-examples:
-  {prog} --quick -o numbers
-  {prog} --scenes spheres isosurfaces layers --methods vtk-dual abuffer multilayer:NumberOfLayersPerPass=16
-  {prog} --scenes skull.stl layers-* --size 1024x768 -o numbers
-  {prog} --skips -o numbers
-  {prog} --list"""
-
-
-class _Parser(argparse.ArgumentParser):
-    """Errors in one line, and numbers such as -1e-3 or -1,0,0 are arguments, not options."""
-
-    def __init__(self, *arguments, **keywords):
-        super().__init__(*arguments, formatter_class=argparse.RawDescriptionHelpFormatter,
-                         allow_abbrev=False, **keywords)
-        self._negative_number_matcher = re.compile(r"^-[\d.]")
-
-    def error(self, message):
-        self.exit(2, "%s: %s (see %s -h)\n" % (self.prog, one_line(message), self.prog))
-
-
-def parser(prog="vtkoit"):
-    """The argparse parser of the whole command line."""
-    top = _Parser(prog=prog, description="Exact order-independent transparency for VTK data.",
-                  epilog=_MAIN.format(prog=prog))
-    top.add_argument("--version", action="version", version="vtkOIT " + VERSION)
-    commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True)
-
-    def add(name, text, epilog):
-        return commands.add_parser(name, help=text, description=text[0].upper() + text[1:] + ".",
-                                   epilog=epilog.format(prog="%s %s" % (prog, name)))
-
-    _add_render(add("render", "draw data files to a picture", _RENDER))
-    _add_compare(add("compare", "draw data files by every method, and tell the errors", _COMPARE))
-    add("info", "tell what this machine renders with", _INFO)
-    showcase = add("showcase", "draw scenes with VTK's methods and ours, and compare", _SHOWCASE)
-    showcase.add_argument("-o", "--output", default="showcase", metavar="DIR",
-                          help="folder of the pictures, made if missing (default: %(default)s)")
-    showcase.add_argument("--size", default="500x500", metavar="WxH",
-                          help="size of each picture in pixels (default: %(default)s)")
-    _add_bench(add("bench", "measure time and error of all methods, VTK's too", _BENCH))
-    return top
-
-
-def _add_bench(bench):
-    option = bench.add_argument
-    option("-o", "--output", default="bench", metavar="DIR",
-           help="folder of the results, made if missing (default: %(default)s)")
-    option("--scenes", nargs="+", metavar="S",
-           help="names, patterns such as layers-*, families such as layers, or files (default: all)")
-    option("--methods", nargs="+", metavar="M",
-           help="names, with properties as METHOD:NAME=VALUE,NAME=VALUE (default: all); blend is "
-                "always measured, ratios refer to it")
-    option("--quick", action="store_true", help="few scenes and methods, small: about a minute")
-    option("--size", metavar="WxH", help="pixels (default: 800x800, with --quick 300x300)")
-    option("--frames", type=int, metavar="N",
-           help="timed frames of a method (default: 15, with --quick 5)")
-    option("--budget", type=float, metavar="S",
-           help="seconds of timed frames after which a method has fewer (default: 3, with --quick "
-                "1)")
-    option("--no-plots", action="store_true", help="tables only, without Matplotlib")
-    option("--document", metavar="FOLDER",
-           help="write the page accuracy-and-speed.md and its pictures there, too, or that of one of "
-                "the three that follow")
-    study = bench.add_mutually_exclusive_group()
-    option = study.add_argument
-    option("--skips", action="store_true",
-           help="instead: skips.md, what each skip saves in a scene that has it to save")
-    option("--costs", action="store_true",
-           help="instead: costs.md, what a fragment, a pixel, a triangle and a band cost by the methods "
-                "that auto chooses from")
-    option("--growth", action="store_true",
-           help="instead: growth.md, how the cost grows with layers, triangles, pixels and props")
-    option("--list", action="store_true", help="print all scenes and methods, measure nothing")
-
-
-def _add_render(render):
-    option = render.add_argument
-    option("inputs", nargs="+", metavar="INPUT",
-           help="a file of any format that VTK reads, told by its extension, or a DICOM folder")
-    option("-o", "--output", required=True, metavar="FILE", help="the picture: .png .tif .jpg ...")
-    _add_scene(render, "1000x800")
-    method = render.add_argument_group("method")
-    option = method.add_argument
-    option("--samples", type=int, metavar="N",
-           help="multisampling for smooth edges, 0 for none (default: 4 for auto and abuffer, "
-                "otherwise 0: the other methods cannot)")
-    option("--method", default="auto", metavar="M",
-           help="see the command info (default: %(default)s)")
-    option("--set", action="append", metavar="NAME=VALUE",
-           help="a property of the method, such as FragmentPrecision=float; may be repeated")
-
-
-def _add_scene(render, size):
-    """The options about what is drawn, how it looks, and from where; size: str, the default."""
-    what = render.add_argument_group("what is drawn")
-    option = what.add_argument
-    option("--isosurface", nargs="+", metavar="V", help="isovalues of volumes and grids")
-    option("--contour", metavar="NAME",
-           help="array that --isosurface or --labels is about (default: the active scalars)")
-    option("--labels", nargs="*", metavar="L",
-           help="one surface for each label of a label volume; all but 0, or those given")
-    option("--smooth", type=int, default=20, metavar="N",
-           help="smoothing of label surfaces, iterations, 0 for none (default: %(default)s)")
-    option("--raw", metavar="WxH[xD]:TYPE[:big]",
-           help="read files without a header, TYPE such as uint16; one file, or one a slice")
-    option("--spacing", metavar="X,Y,Z", help="distances between the samples of volumes")
-    look = render.add_argument_group("how it looks")
-    option = look.add_argument
-    option("--opacity", nargs="+", metavar="A",
-           help="from 0 to 1, one a surface in their order, the last one for the rest")
-    option("--color", nargs="+", metavar="C", help="names, #rrggbb or r,g,b; repeated")
-    option("--scalars", metavar="NAME", help="colour the surfaces by this array")
-    option("--colormap", default="viridis", metavar="NAME",
-           help="viridis plasma inferno coolwarm gray rainbow, each also reversed: viridis-r "
-                "(default: %(default)s)")
-    option("--range", metavar="LOW,HIGH", help="the values at the colour map's two ends")
-    option("--background", default="white", metavar="C",
-           help="a colour, or transparent (default: %(default)s)")
-    view = render.add_argument_group("view")
-    option = view.add_argument
-    option("--camera", default="iso", metavar="WHERE",
-           help="x -x y -y z -z iso, AZIMUTH,ELEVATION in degrees, a direction X,Y,Z, or nine "
-                "numbers: position, focal point, view up (default: %(default)s)")
-    option("--up", default="z", metavar="AXIS", help="axis that points up (default: %(default)s)")
-    option("--zoom", default="1", metavar="F", help="above 1 for closer (default: %(default)s)")
-    option("--parallel", action="store_true", help="parallel instead of perspective projection")
-    option("--size", default=size, metavar="WxH", help="pixels (default: %(default)s)")
-
-
-def _add_compare(compare):
-    option = compare.add_argument
-    option("inputs", nargs="+", metavar="INPUT",
-           help="a file of any format that VTK reads, told by its extension, or a DICOM folder")
-    option("-o", "--output", default="comparison", metavar="DIR",
-           help="folder of the pictures and tables, made if missing (default: %(default)s)")
-    option("--methods", nargs="+", metavar="M",
-           help="names, with properties as METHOD:NAME=VALUE,NAME=VALUE (default: all)")
-    _add_scene(compare, "600x480")
-
-
-def _joined(arguments):
-    """Joins --camera -x into --camera=-x, which argparse would take for an option."""
-    result = []
-    for argument in arguments:
-        if result and result[-1] in ("--camera", "--up") and argument[:1] == "-":
-            result[-1] += "=" + argument
-        else:
-            result.append(argument)
-    return result
+# Those that may read files of the user's.
+_ISOLATED = ("render", "compare", "bench")
 
 
 def main(prog="vtkoit", arguments=None):
@@ -218,72 +22,85 @@ def main(prog="vtkoit", arguments=None):
 
     arguments: list of str, default those of the process.
     """
+    own = arguments is None
+    if own:
+        streams.prepare()
+        arguments = sys.argv[1:]
     try:
-        options = parser(prog).parse_args(_joined(sys.argv[1:] if arguments is None else arguments))
+        options = parser(prog).parse_args(joined(arguments))
     except SystemExit as leave:
-        return leave.code or 0
-    name = "%s %s" % (prog, options.command)
-    if options.command in ("render", "compare") and arguments is None and hasattr(os, "fork"):
-        return _isolated(name, options)
-    return _guarded(name, options)
+        status = leave.code or 0
+        return _guarded(prog, lambda: status)
+    options.name = "%s %s" % (prog, options.command)
+    isolated = own and options.command in _ISOLATED and hasattr(os, "fork")
+    return _guarded(options.name, lambda: _isolated(options) if isolated else _run(options))
 
 
-def _isolated(name, options):
-    """Runs a command in a child process: some of VTK's readers crash on a corrupt file."""
-    sys.stdout.flush()
-    sys.stderr.flush()
-    child = os.fork()
-    if child == 0:
-        os._exit(_guarded(name, options))
-    while True:
-        try:
-            _, status = os.waitpid(child, 0)
-            break
-        except KeyboardInterrupt:
-            continue  # the terminal interrupts the child too, which tells about it
-    if os.WIFSIGNALED(status):
-        number = os.WTERMSIG(status)
-        return _fail(name, "VTK crashed (%s); one of the files is corrupt, or memory ran out: %s"
-                     % (signal.strsignal(number), " ".join(options.inputs)))
-    return os.WEXITSTATUS(status)
-
-
-def _guarded(name, options):
-    """Runs a command; the exit status, with an error told in one line."""
+def _isolated(options):
+    """Runs a command in a child process; the exit status. Raises Error."""
+    check(options)
+    limit = parse_numbers("--read-timeout", [options.read_timeout], 0.0, 1e6)[0]
     try:
-        _run(options)
-        sys.stdout.flush()
-        return 0
+        return child.run(lambda: _guarded(options.name, lambda: _run(options)), limit)
+    except child.Ended as end:
+        streams.clear_line()
+        if end.number == signal.SIGINT:
+            streams.complain("%s: interrupted\n" % options.name)
+        if end.number in child.FORWARDED:
+            return 128 + end.number
+        if end.number == signal.SIGALRM:
+            raise Error("%s: cannot be read: reading it took more than %g s; the file is corrupt, or "
+                        "needs more time: --read-timeout S" % (end.reading, limit)) from None
+        inputs = options.scenes or [] if options.command == "bench" else options.inputs
+        raise Error("VTK crashed (%s); one of the files is corrupt, or memory ran out: %s" % (
+            signal.strsignal(end.number), end.reading or " ".join(inputs))) from None
+
+
+def _guarded(name, work):
+    """Runs a function that returns an exit status; that status, with an error told in one line."""
+    try:
+        status = work()
     except Error as error:
-        return _fail(name, one_line(error))
+        status = _fail(name, one_line(error))
     except KeyboardInterrupt:
         _fail(name, "interrupted")
-        return 128 + signal.SIGINT
-    except BrokenPipeError:
-        # Whoever read our output has left; Python must not complain about it at its end.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
-        return 1
+        status = 128 + signal.SIGINT
     except MemoryError:
-        return _fail(name, "out of memory; use a smaller --size or fewer inputs")
+        status = _fail(name, "out of memory; use a smaller --size or fewer inputs")
     except ModuleNotFoundError as error:
         if error.name and error.name.startswith("numpy"):
-            return _fail(name, "needs NumPy for Python %s (Debian: python3-numpy)" % PYTHON_VERSION)
-        return _fail(name, "this Python lacks a module: %s" % one_line(error))
+            status = _fail(name, "needs NumPy for Python %s (Debian: python3-numpy)" % PYTHON_VERSION)
+        else:
+            status = _fail(name, "this Python lacks a module: %s" % one_line(error))
+    except OSError as error:
+        status = _told(name, streams.finish()) or _fail(name, one_line(
+            "%s: %s" % (error.filename or "a file", error.strerror or error)))
     except Exception as error:  # pylint: disable=broad-except
         where = traceback.extract_tb(error.__traceback__)[-1]
-        return _fail(name, "internal error, please report it: %s: %s (%s:%d)" % (
+        status = _fail(name, "internal error, please report it: %s: %s (%s:%d)" % (
             type(error).__name__, one_line(error), os.path.basename(where.filename), where.lineno))
+    return status or _told(name, streams.finish())
+
+
+def _told(name, trouble):
+    """The exit status for what streams.finish() found. A reader that has left is not told about."""
+    if trouble is None:
+        return 0
+    if not isinstance(trouble, BrokenPipeError):
+        streams.complain("%s: standard output cannot be written: %s\n" % (name, trouble.strerror))
+    return 1
 
 
 def _fail(name, message):
-    sys.stdout.flush()
-    sys.stderr.write("%s: %s\n" % (name, message))
+    streams.complain("%s: %s\n" % (name, message))
     return 1
 
 
 def _run(options):
+    """Runs a command in this process; 0. Raises Error."""
     from .progress import Progress
 
+    check(options)
     progress = Progress()
     try:
         if options.command == "info":
@@ -308,3 +125,4 @@ def _run(options):
             showcase.run(options.output, options.size, progress)
     finally:
         progress.clear()
+    return 0

@@ -11,7 +11,7 @@ from . import camera, picture, scene
 from .bench import contenders, machine, measure, record, tables, truth
 from .bench.stage import SurfaceStage
 from .bench.store import slug
-from .errors import Error
+from .errors import Error, printable
 from .read import read_all
 from .render import SceneOptions
 from .surfaces import make_surfaces
@@ -46,7 +46,7 @@ def run(arguments, progress):
                      options.size[0] / options.size[1])
         return renderer
 
-    name = os.path.basename(os.path.normpath(arguments.inputs[0]))
+    name = printable(os.path.basename(os.path.normpath(arguments.inputs[0])))
     title = "%d surface%s" % (len(surfaces), "s"[:len(surfaces) != 1])
     stage = SurfaceStage(name, title, make_renderer, surfaces, options.size)
     progress.begin("%s: truth" % name)

@@ -54,23 +54,33 @@ def capture():
             captured.text = file.read().decode("utf-8", "replace")
 
 
-@contextlib.contextmanager
-def listen(instance):
-    """Keeps the errors that one vtkObject reports in the with block from being printed.
-
-    Yields a list of str that they are added to, each in one line.
-    """
+def watch(instance, event):
+    """(messages, tag): a list of str that what a vtkObject reports from now on is added to, each in
+    one line, instead of being printed; and what RemoveObserver() takes. event: str, ErrorEvent or
+    WarningEvent."""
     messages = []
 
     def add(_object, _event, text):
         messages.extend(_messages(text))
 
     add.CallDataType = "string0"
-    tag = instance.AddObserver("ErrorEvent", add)
+    return messages, instance.AddObserver(event, add)
+
+
+@contextlib.contextmanager
+def listen(instance):
+    """Keeps what one vtkObject reports in the with block from being printed.
+
+    Yields a function without arguments that returns the messages, list of str, each in one line,
+    errors first.
+    """
+    errors, errors_tag = watch(instance, "ErrorEvent")
+    warnings, warnings_tag = watch(instance, "WarningEvent")
     try:
-        yield messages
+        yield lambda: errors + warnings
     finally:
-        instance.RemoveObserver(tag)
+        instance.RemoveObserver(errors_tag)
+        instance.RemoveObserver(warnings_tag)
 
 
 # "ERROR: In file.cxx, line 12" of VTK's output window and
@@ -79,7 +89,7 @@ _HEADING = re.compile(r"^(ERROR|Warning|Generic Warning|Debug): In .*, line \d+$
 _LOG = re.compile(r"^\(?[\d.:\s-]*\(\s*[\d.]+s\)\s*\[[^\]]*\].*?\b(ERR|WARN|INFO)\|\s?")
 _IS_ERROR = re.compile(r"\berror\b|premature|unexpected end|truncated", re.IGNORECASE)
 _COLOR = re.compile(r"\x1b\[[0-9;]*m")
-_OBJECT = re.compile(r"^(vtk\w+)(\s*\((0x[0-9a-fA-F]+|nil)\)(\s*'[^']*')?)?:\s*")
+_OBJECT = re.compile(r"^(\(nullptr\):\s*)?(vtk\w+)(\s*\((0x[0-9a-fA-F]+|nil)\)(\s*'[^']*')?)?:\s*")
 
 
 def _records(text):
@@ -120,10 +130,17 @@ def error_code_text(code):
     return os.strerror(code) if 0 < code < 200 else "error %d" % code
 
 
+def printable(text):
+    """A str with bytes that are not of the locale's encoding, which Python keeps as lone surrogates,
+    as escapes: \\xff."""
+    return re.sub("[\ud800-\udfff]", lambda match: "\\x%02x" % (ord(match.group()) & 0xff), text)
+
+
 def one_line(error):
     """The text of an exception as one str without line breaks."""
-    text = "".join(c if c.isprintable() and c != "\ufffd" else " " for c in str(error))
+    text = printable(str(error))
+    text = "".join(c if c.isprintable() and c != "\ufffd" else " " for c in text)
     text = " ".join(text.split())
     if len(text) > 600:
-        text = text[:600] + " ..."
+        text = text[:300] + " ... " + text[-300:]
     return text or type(error).__name__

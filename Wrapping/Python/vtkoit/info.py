@@ -83,6 +83,6 @@ def _choice(window):
     window.AddRenderer(renderer)
     window.Render()
     line = "auto takes %s: %s, at most %.4g MiB" % (
-        taken.GetAlgorithmName(), taken.GetChoice(), taken.GetBufferLimit() / 2.0 ** 20)
+        taken.GetAlgorithmName(), taken.GetAlgorithmReason(), taken.GetBufferLimit() / 2.0 ** 20)
     window.RemoveRenderer(renderer)
     return line

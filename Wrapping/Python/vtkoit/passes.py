@@ -3,6 +3,7 @@
 """The methods by name, and the properties of their passes by name."""
 
 import collections
+import math
 
 from .errors import listen, one_line
 from .vtkOIT import vtkOITPassFactory
@@ -118,33 +119,49 @@ def _read(instance, name):
 
 def _write(instance, name, value):
     named = _named_values(instance, name)
-    if isinstance(value, str):
-        numbers = {_plain(text): number for text, number in named.items()}
-        try:
-            if _plain(value) in numbers:
-                value = numbers[_plain(value)]
-            else:
-                value = int(value) if value.strip().lstrip("+-").isdigit() else float(value)
-        except ValueError:
-            expected = "one of %s" % ", ".join(sorted(named)) if named else "a number"
-            raise ValueError("%s=%r is refused; give %s" % (name, value, expected)) from None
-    getter = getattr(instance, "Get" + name)
-    before = getter()
-    if isinstance(before, int) and isinstance(value, float) and value.is_integer():
-        value = int(value)
+    number = _number(name, value, named) if isinstance(value, str) else value
+    if isinstance(number, float) and not math.isfinite(number):
+        raise ValueError(_refusal(name, value, "give a finite number"))
+    before = getattr(instance, "Get" + name)()
+    if isinstance(before, int) and isinstance(number, float) and number.is_integer():
+        number = int(number)
     with listen(instance) as messages:
         try:
-            getattr(instance, "Set" + name)(value)
-        except (TypeError, ValueError, OverflowError) as error:
-            reason = "%s=%r is refused: %s" % (name, value, one_line(error))
-            raise ValueError(reason) from None
-    # VTK's setters clamp in silence; a value that was not asked for is worse than an error.
-    after = getter()
-    if after != value:
+            getattr(instance, "Set" + name)(number)
+        except OverflowError:
+            raise ValueError(_refusal(name, value, "give a smaller number")) from None
+        except (TypeError, ValueError) as error:
+            raise ValueError(_refusal(name, value, one_line(error))) from None
+        # Some setters refuse and say so, others clamp in silence; a value that was not asked for is
+        # worse than an error.
+        after = getattr(instance, "Get" + name)()
+        if after == number:
+            return
+        told = messages()
         getattr(instance, "Set" + name)(before)
-        reason = messages[0] if messages else ""
-        if not reason:
-            reason = "%s=%r is refused; the nearest valid value is %r" % (name, value, after)
-            if named:
-                reason += " (%s)" % ", ".join(sorted(named))
-        raise ValueError(reason)
+    if told:
+        raise ValueError(told[0])
+    nearest = "the nearest valid value is %r" % after if after != before else "it stays %r" % before
+    raise ValueError(_refusal(name, value, nearest + _choices(named)))
+
+
+def _number(name, text, named):
+    """The int or float that a str says: a number, or one of the named values (dict of str to int)."""
+    numbers = {_plain(key): number for key, number in named.items()}
+    if _plain(text) in numbers:
+        return numbers[_plain(text)]
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            pass
+    raise ValueError(_refusal(name, text, "give one of %s" % ", ".join(sorted(named)) if named
+                              else "give a number"))
+
+
+def _refusal(name, value, what):
+    return "%s=%r is refused; %s" % (name, value, what)
+
+
+def _choices(named):
+    return " (%s)" % ", ".join(sorted(named)) if named else ""

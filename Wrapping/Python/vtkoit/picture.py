@@ -80,7 +80,7 @@ def save(pixels, path, transparent=False):
 
     writer = getattr(vtkIOImage, name)()
     writer.SetInputData(image)
-    writer.SetFileName(path)
+    writer.SetFileName(os.fsencode(path))
     if name == "vtkTIFFWriter":
         writer.SetCompressionToDeflate()
     with capture() as captured:

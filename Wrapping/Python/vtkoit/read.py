@@ -6,7 +6,8 @@ import collections
 import os
 import re
 
-from .errors import Error, capture, error_code_text
+from .child import reading
+from .errors import Error, capture, error_code_text, printable
 from .readers import STACKS, extension_of, extensions, reader_class
 
 Input = collections.namedtuple("Input", "name data")
@@ -22,13 +23,12 @@ def read_all(paths, progress, raw=None, spacing=None):
     Raises Error in one line that names the file.
     """
     for path in paths:
-        _check_exists(path)
-    if raw is not None:
-        inputs = [_read_raw(paths, raw, progress)]
-    else:
-        inputs = []
-        for group in _groups(paths):
-            inputs.append(_read(group, progress))
+        with reading(printable(path)):  # a pipe may never open
+            _check_exists(path)
+    inputs = []
+    for group in [paths] if raw is not None else _groups(paths):
+        with reading(printable(group[0])):
+            inputs.append(_read(group, progress) if raw is None else _read_raw(group, raw, progress))
     if spacing is not None:
         for item in inputs:
             if item.data.IsA("vtkImageData"):
@@ -38,8 +38,8 @@ def read_all(paths, progress, raw=None, spacing=None):
 
 def natural_key(text):
     """Sorts slice2 before slice10: list for sorted(key=)."""
-    return [(int(part), "") if part.isdigit() else (-1, part)
-            for part in re.split(r"(\d+)", text)]
+    return [(int(part), "") if place % 2 else (-1, part)
+            for place, part in enumerate(re.split(r"([0-9]{1,18})", text))]
 
 
 def _groups(paths):
@@ -68,7 +68,7 @@ def _check_exists(path):
 
 def _read(paths, progress):
     path = paths[0]
-    name = os.path.basename(os.path.normpath(path))
+    name = printable(os.path.basename(os.path.normpath(path)))
     if len(paths) > 1:
         name += " and %d more" % (len(paths) - 1)
     extension = "dcm" if os.path.isdir(path) else extension_of(path)
@@ -96,19 +96,17 @@ def _has_dicom(folder):
 def _set_up(reader, paths, is_folder):
     """Gives a reader its files and switches on all they hold; False when it refuses the file."""
     if is_folder:
-        reader.SetDirectoryName(paths[0])
+        reader.SetDirectoryName(os.fsencode(paths[0]))
         return True
     if len(paths) > 1:
-        from vtkmodules.vtkCommonCore import vtkStringArray
-
-        names = vtkStringArray()
-        for path in paths:
-            names.InsertNextValue(path)
-        reader.SetFileNames(names)
+        reader.SetFileNames(_string_array(paths))
         return True
-    path = os.path.abspath(paths[0])
-    if extension_of(path) == "stl" and not _is_stl(path):
+    extension = extension_of(paths[0])
+    if extension == "stl" and not _is_stl(paths[0]):
         return False
+    if extension in ("mhd", "mha") and not _has_dimensions(paths[0]):
+        return False
+    path = os.fsencode(os.path.abspath(paths[0]))  # names of files are bytes, of any encoding
     # Some readers answer so only after they have their file.
     (reader.SetCaseFileName if hasattr(reader, "SetCaseFileName") else reader.SetFileName)(path)
     if hasattr(reader, "CanReadFile") and not reader.CanReadFile(path):
@@ -123,6 +121,15 @@ def _set_up(reader, paths, is_folder):
             reader.UpdateInformation()
             getattr(reader, switch)()
     return True
+
+
+def _string_array(paths):
+    from vtkmodules.vtkCommonCore import vtkStringArray
+
+    names = vtkStringArray()
+    for path in paths:
+        names.InsertNextValue(os.fsencode(path))
+    return names
 
 
 def _result(reader, usable, captured, path, extension):
@@ -152,6 +159,13 @@ def _is_stl(path):
     count = int.from_bytes(head[80:84], "little")
     return head.lstrip()[:5].lower() == b"solid" or \
         (len(head) == 84 and os.path.getsize(path) >= 84 + 50 * count)
+
+
+def _has_dimensions(path):
+    """Whether a MetaImage has a number of dimensions that there is: VTK takes any, and counts to it."""
+    with open(path, "rb") as file:
+        match = re.search(rb"^\s*NDims\s*[=:]\s*(\S*)", file.read(8192), re.MULTILINE)
+    return match is None or re.fullmatch(rb"10|[1-9]", match.group(1)) is not None
 
 
 def leaves(data, name=""):
@@ -185,7 +199,7 @@ one slice a file), type (int, VTK's number) and big_endian (bool)."""
 
 def parse_raw(text):
     """RawFormat of a str like 64x64x93:uint16, :big at its end for big-endian. Raises Error."""
-    match = re.fullmatch(r"(\d+)x(\d+)(?:x(\d+))?:(\w+)(?::(big|little))?", text)
+    match = re.fullmatch(r"([0-9]{1,9})x([0-9]{1,9})(?:x([0-9]{1,9}))?:(\w+)(?::(big|little))?", text)
     if not match or match.group(4) not in _TYPES or \
             any(int(n) < 1 for n in match.groups()[:3] if n):
         raise Error("--raw %s: give WIDTHxHEIGHT[xDEPTH]:TYPE[:big], TYPE one of %s"
@@ -195,7 +209,6 @@ def parse_raw(text):
 
 
 def _read_raw(paths, raw, progress):
-    from vtkmodules.vtkCommonCore import vtkStringArray
     from vtkmodules.vtkIOImage import vtkImageReader2
 
     paths = sorted(paths, key=natural_key)
@@ -212,16 +225,13 @@ def _read_raw(paths, raw, progress):
     reader.FileLowerLeftOn()
     _check_raw_sizes(paths, raw, depth)
     if len(paths) > 1:
-        names = vtkStringArray()
-        for path in paths:
-            names.InsertNextValue(path)
-        reader.SetFileNames(names)
+        reader.SetFileNames(_string_array(paths))
     else:
-        reader.SetFileName(paths[0])
+        reader.SetFileName(os.fsencode(paths[0]))
     with capture() as captured:
         progress.watch(reader, "reading raw slices")
         reader.Update()
-    name = os.path.basename(paths[0])
+    name = printable(os.path.basename(paths[0]))
     return Input(name, _result(reader, True, captured, paths[0], "raw"))
 
 

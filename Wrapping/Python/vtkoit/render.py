@@ -4,55 +4,16 @@
 
 import time
 
-from . import camera, colors, picture, scene
+from . import camera, colors, method_option, picture, scene, streams
+from .drawn import Drawn
 from .errors import Error, capture
 from .hook import install
-from .passes import methods
 from .read import parse_raw, read_all
 from .surfaces import Request, make_surfaces
+from .values import parse_numbers, parse_size, parse_whole_numbers
 from .windows import headless, make_window
 
-LARGEST_SIDE = 16384  # pixels
 MULTISAMPLED = {"auto", "abuffer"}  # methods that keep the samples of a pixel apart
-
-
-def parse_size(text):
-    """(width, height), int, of a str such as 800x600. Raises Error."""
-    parts = text.lower().split("x")
-    if len(parts) == 2 and all(part.isdigit() for part in parts):
-        size = (int(parts[0]), int(parts[1]))
-        if all(1 <= side <= LARGEST_SIDE for side in size):
-            return size
-    raise Error("--size %s: give WIDTHxHEIGHT, each from 1 to %d, such as 800x600"
-                % (text, LARGEST_SIDE))
-
-
-def parse_numbers(option, texts, low=None, high=None):
-    """The floats of a list of str, of which some may hold several with commas. Raises Error."""
-    result = []
-    for text in ",".join(texts).split(","):
-        try:
-            value = float(text)
-        except ValueError:
-            hint = "; input files go before the options" if "." in text or "/" in text else ""
-            raise Error("%s: %r is not a number%s" % (option, text, hint)) from None
-        if value != value or value in (float("inf"), float("-inf")):
-            raise Error("%s: %r is not a finite number" % (option, text))
-        if low is not None and not low <= value <= high:
-            raise Error("%s: %s is not in the range from %g to %g" % (option, text, low, high))
-        result.append(value)
-    return result
-
-
-def parse_properties(texts):
-    """The dict for install() of a list of str such as FragmentPrecision=float. Raises Error."""
-    result = {}
-    for text in texts:
-        name, equals, value = text.partition("=")
-        if not name or not equals or not value:
-            raise Error("--set %s: give NAME=VALUE" % text)
-        result[name] = value
-    return result
 
 
 def run(arguments, progress):
@@ -67,16 +28,15 @@ def run(arguments, progress):
         headless()
     except RuntimeError as error:
         raise Error(str(error)) from None
-    try:
-        translucency = install(renderer, arguments.method, **options.properties)
-    except ValueError as error:
-        raise Error("--set: %s" % error) from None
+    translucency = install(renderer, options.method, **options.properties)
     camera.place(renderer, options.camera, options.up, options.zoom, arguments.parallel,
                  options.size[0] / options.size[1])
     progress.begin("rendering")
-    pixels, seconds = draw(renderer, options.size, options.samples, translucency)
+    pixels, seconds, warning = draw(renderer, options, translucency)
     picture.save(pixels, arguments.output, options.style.background is None)
     progress.clear()
+    if warning:
+        streams.complain("%s: warning: %s\n" % (arguments.name, warning))
     for note in notes:
         print(note)
     triangles = sum(surface.data.GetNumberOfPolys() for surface in surfaces)
@@ -94,22 +54,26 @@ def _what_was_drawn(translucency):
     return "up to %d layers by %s" % (layers, translucency.GetAlgorithmName())
 
 
-def draw(renderer, size, samples, translucency):
-    """(pixels as from picture.grab(), seconds of the frame). Raises Error when the method, the pass
-    translucency, cannot run in the context."""
-    with capture() as captured:
-        window = make_window(renderer, size, samples)
-        start = time.perf_counter()
-        window.Render()
-        seconds = time.perf_counter() - start
-        missing = translucency.GetMissingCapability(window)
-        pixels = picture.grab(window) if not missing else None
-        window.Finalize()
-    if missing:
-        raise Error("this method does not run here: %s" % " ".join(missing.split()))
-    if captured.errors(1):
-        raise Error("rendering failed: %s" % captured.errors(1))
-    return pixels, seconds
+def draw(renderer, options, translucency):
+    """(pixels as from picture.grab(), seconds of the frame, warning: str, empty when the method
+    itself drew). options: _Options. translucency: the pass, vtkOITPass. Raises Error."""
+    drawn = Drawn(options.method, translucency)
+    # What sorts without the A-buffer cannot draw into several samples, which were not asked for.
+    for samples in [4, 0] if options.samples is None else [options.samples]:
+        with capture() as captured:
+            window = make_window(renderer, options.size, samples)
+            start = time.perf_counter()
+            window.Render()
+            seconds = time.perf_counter() - start
+            pixels = picture.grab(window)
+            warning = drawn.warning(window)
+            window.RemoveRenderer(renderer)
+            window.Finalize()
+        if captured.errors(1):
+            raise Error("rendering failed: %s" % captured.errors(1))
+        if not drawn.unsorted():
+            break
+    return pixels, seconds, warning
 
 
 class SceneOptions:
@@ -158,8 +122,7 @@ class SceneOptions:
     def _request(arguments):
         labels = None
         if arguments.labels is not None:
-            labels = [int(value) for value in
-                      parse_numbers("--labels", arguments.labels, -2 ** 31, 2 ** 31 - 1)] \
+            labels = parse_whole_numbers("--labels", arguments.labels, -2 ** 31, 2 ** 31 - 1) \
                 if arguments.labels else []
         if labels is not None and arguments.isosurface:
             raise Error("--isosurface and --labels exclude each other; give one of them")
@@ -175,14 +138,12 @@ class _Options(SceneOptions):
     """And those about the method and the picture."""
 
     def __init__(self, arguments):
-        if arguments.method not in methods():
-            raise Error("--method %s: unknown; the methods are: %s"
-                        % (arguments.method, " ".join(methods())))
+        self.method, self.properties = method_option.parse(
+            method_option.joined(arguments.method, arguments.set))
         super().__init__(arguments)
-        self.properties = parse_properties(arguments.set or [])
         picture.check_output(arguments.output, self.style.background is None)
         self.samples = arguments.samples
-        if self.samples is None:
-            self.samples = 4 if arguments.method in MULTISAMPLED else 0
-        if not 0 <= self.samples <= 16:
+        if self.samples is None and self.method not in MULTISAMPLED:
+            self.samples = 0
+        if self.samples is not None and not 0 <= self.samples <= 16:
             raise Error("--samples %d: give 0 (none) to 16" % self.samples)

@@ -6,16 +6,17 @@ import os
 import statistics
 import time
 
-from . import picture, reference
+from . import picture
+from .bench import accuracy, truth
+from .bench.stage import SurfaceStage
 from .errors import Error, capture
 from .hook import install, uninstall
-from .render import parse_size
 from .showcase_scenes import SCENES
+from .values import parse_size
 from .windows import headless, make_window
 
 FRAMES = 5  # timed frames of each method; fewer when they take long
 LONGEST = 3.0  # seconds of timed frames of a method
-COLORS = slice(0, 3)  # the background is opaque: alpha is not looked at
 
 
 def _default(renderer):
@@ -54,13 +55,14 @@ def run(folder, size, progress):
     for number, (name, make) in enumerate(SCENES):
         if number:
             print()
-        _show(name, make(), folder, size, progress)
+        _show(name, make, folder, size, progress)
 
 
-def _show(name, renderer, folder, size, progress):
-    progress.begin("%s: CPU reference" % name)
-    progress.show("%s: CPU reference" % name)
-    truth = reference.render(renderer, size)
+def _show(name, make, folder, size, progress):
+    progress.begin("%s: truth" % name)
+    progress.show("%s: truth" % name)
+    right = truth.find(SurfaceStage(name, name, make, [], size), cross_check=False)
+    renderer = make()
     results = []
     for key, title, switch_on in METHODS:
         progress.show("%s: %s" % (name, title))
@@ -72,10 +74,10 @@ def _show(name, renderer, folder, size, progress):
         if captured.errors(1):
             raise Error("%s by %s: %s" % (name, title, captured.errors(1)))
         picture.save(pixels, path)
-        error = reference.difference(pixels, truth, COLORS)
+        error = accuracy.measure(pixels[..., :3], right.color, right.covered)
         results.append((title, path, seconds, error))
     progress.clear()
-    _print(name, renderer, size, truth, results)
+    _print(name, renderer, size, right, results)
 
 
 def _time(renderer, size):
@@ -93,19 +95,17 @@ def _time(renderer, size):
     return pixels, statistics.median(times)
 
 
-def _print(name, renderer, size, truth, results):
+def _print(name, renderer, size, right, results):
     triangles = 0
     actors = renderer.GetActors()
     actors.InitTraversal()
     for _ in range(actors.GetNumberOfItems()):
         triangles += actors.GetNextActor().GetMapper().GetInput().GetNumberOfPolys()
-    print("%s: %dx%d, %s triangles, up to %d layers; error of the colours in 1/255, "
-          "%.1f %% of the pixels left out (on silhouettes)" % (
-              name, *size, format(triangles, ","), truth.layers.max(),
-              100.0 * (1.0 - truth.certain.mean())))
+    print("%s: %dx%d, %s triangles, %s fragments, up to %d layers; error of the colours in 1/255" % (
+        name, *size, format(triangles, ","), format(right.fragments, ","), right.layers))
     width = max(len(path) for _, path, _, _ in results)
     print("  %-25s %-*s %9s %7s %10s %11s" % (
-        "method", width, "picture", "ms/frame", "ratio", "error max", "error mean"))
-    for title, path, seconds, (largest, mean) in results:
+        "method", width, "picture", "ms/frame", "ratio", "error max", "error RMS"))
+    for title, path, seconds, error in results:
         print("  %-25s %-*s %9.0f %7.2f %10.1f %11.3f" % (
-            title, width, path, 1000.0 * seconds, seconds / results[0][2], largest, mean))
+            title, width, path, 1000.0 * seconds, seconds / results[0][2], error.max, error.rmse))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The scenes of the showcase: procedural, with a headlight, so that the CPU reference can draw them."""
+"""The scenes of the showcase: procedural, with a headlight."""
 
 import math
 

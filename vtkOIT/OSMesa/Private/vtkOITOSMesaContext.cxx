@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/vtkOITOSMesaContext.h"
 
+#include <unistd.h>
+
+#include <atomic>
 #include <mutex>
 #include <set>
 
@@ -23,6 +26,9 @@ constexpr int ContextMinorVersion = 0x37;
 // needs at least.
 constexpr int Versions[][2] = { { 4, 6 }, { 4, 5 }, { 4, 4 }, { 4, 3 }, { 4, 2 }, { 4, 1 },
   { 4, 0 }, { 3, 3 }, { 3, 2 } };
+
+// The process in which the first context was made, and Mesa's threads started; 0 before.
+std::atomic<pid_t> Owner{ 0 };
 
 // The contexts that exist, of all threads.
 struct Registry
@@ -49,12 +55,14 @@ std::unique_ptr<vtkOITOSMesaContext> vtkOITOSMesaContext::Create(
   const vtkOITOSMesaContext* share, std::string& error)
 {
   const vtkOITOSMesaLibrary& library = vtkOITOSMesaLibrary::Get();
-  error = library.Error;
+  error = library.Error.empty() ? FindLossByFork() : library.Error;
   if (!error.empty())
   {
     return nullptr;
   }
 
+  pid_t none = 0;
+  Owner.compare_exchange_strong(none, getpid());
   for (const auto& version : Versions)
   {
     const int attributes[] = { Format, RGBA, DepthBits, 24, StencilBits, 8, AccumulationBits, 0,
@@ -71,6 +79,19 @@ std::unique_ptr<vtkOITOSMesaContext> vtkOITOSMesaContext::Create(
 }
 
 //------------------------------------------------------------------------------
+std::string vtkOITOSMesaContext::FindLossByFork()
+{
+  const pid_t owner = Owner;
+  if (owner == 0 || owner == getpid())
+  {
+    return {};
+  }
+  return "this process was forked from one that had drawn with OSMesa, whose threads do not come "
+         "along; draw first after the fork, or start the process anew "
+         "(Python: multiprocessing.set_start_method('spawn'))";
+}
+
+//------------------------------------------------------------------------------
 vtkOITOSMesaContext::vtkOITOSMesaContext(vtkOITOSMesaLibrary::Handle handle)
   : Handle(handle)
 {
@@ -82,6 +103,10 @@ vtkOITOSMesaContext::vtkOITOSMesaContext(vtkOITOSMesaLibrary::Handle handle)
 //------------------------------------------------------------------------------
 vtkOITOSMesaContext::~vtkOITOSMesaContext()
 {
+  if (!FindLossByFork().empty())
+  {
+    return; // Mesa would wait for its threads
+  }
   const vtkOITOSMesaLibrary& library = vtkOITOSMesaLibrary::Get();
   if (this->IsCurrent())
   {

@@ -27,6 +27,12 @@ public:
     const vtkOITOSMesaContext* share, std::string& error);
   ~vtkOITOSMesaContext();
 
+  /**
+   * Why no context works in this process, one line: it was forked after Mesa had started its threads
+   * in the parent. Empty otherwise. Contexts of the parent must not be touched then.
+   */
+  static std::string FindLossByFork();
+
   /// Does nothing when it is current already. False when OSMesa refuses.
   bool MakeCurrent();
   bool IsCurrent() const;

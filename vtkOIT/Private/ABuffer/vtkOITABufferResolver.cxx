@@ -15,13 +15,10 @@
 
 namespace
 {
-// Two texture units. Mappers count theirs up from 0 and GL has at least 16.
-constexpr int TileUnit = 13;
-
 // Classes of tiles, as in vtkOITABufferTileVS.glsl.
 constexpr std::array<int, 2> AllTiles = { 0, std::numeric_limits<int>::max() };
-constexpr std::array<int, 2> TilesToTryAgain = { -1, vtkOITFragmentStore::TryAgain };
-constexpr std::array<int, 2> TilesWithLists = { -1, vtkOITFragmentStore::HasLists };
+constexpr std::array<int, 2> TilesToTryAgain = { -1, OIT_TRY_AGAIN };
+constexpr std::array<int, 2> TilesWithLists = { -1, OIT_HAS_LISTS };
 
 constexpr GLbitfield Barriers =
   GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT;
@@ -38,7 +35,7 @@ std::vector<std::pair<int, int>> PlanSort(int length)
   // A merge visits each node once, and once more to find the second run of each pair.
   const int mergesPerDraw = std::clamp(SortBudget / (2 * length) - 1, 1, 20);
   std::vector<std::pair<int, int>> draws;
-  int width = vtkOITABufferShaders::RunSize;
+  int width = OIT_RUN_SIZE;
   do
   {
     draws.emplace_back(width, width << (mergesPerDraw - 1));
@@ -46,13 +43,22 @@ std::vector<std::pair<int, int>> PlanSort(int length)
   } while (width < length);
   return draws;
 }
+
+const std::string& GetTileVertexShader()
+{
+  static const std::string text = vtkOITABufferShaders::GetTileVertexShader();
+  return text;
+}
 }
 
 //------------------------------------------------------------------------------
 void vtkOITABufferResolver::SetShaders(const vtkOITABufferShaders& shaders)
 {
-  this->Release();
-  this->Shaders = shaders;
+  if (!(shaders == this->Shaders))
+  {
+    this->Release();
+    this->Shaders = shaders;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -71,63 +77,72 @@ void vtkOITABufferResolver::Release()
 }
 
 //------------------------------------------------------------------------------
-vtkOITFragmentStore::Counters vtkOITABufferResolver::Resolve(
-  const vtkOITFrame& frame, vtkOITFragmentStore& store)
+vtkOITFailure vtkOITABufferResolver::Resolve(const vtkOITFrame& frame, vtkOITFragmentStore& store,
+  vtkOITFragmentStore::Counters& counters, std::string& fault)
 {
   glMemoryBarrier(Barriers);
+  counters = {};
   const bool isMultisampled = this->Shaders.Samples > 0;
-  vtkOITFragmentStore::Counters counters;
   if (isMultisampled || this->DepthComplexity.IsEmpty())
   {
-    counters = this->Count(frame, store);
-    if (counters.Overflow)
+    vtkOITFailure failure = this->Count(frame, store, counters);
+    if (failure || counters.Overflow)
     {
-      return counters;
+      return failure;
     }
     this->DepthComplexity.Update(store.GetTileGrid(), counters.Tiles);
   }
-
   const std::vector<std::uint32_t> expected =
     this->DepthComplexity.GetExpected(store.GetTileGrid());
   store.SetExpected(expected);
   this->PrepareOutput(frame, store);
-  if (isMultisampled)
+  const vtkOITFailure failure = isMultisampled
+    ? this->DrawLists(frame, store, counters, AllTiles)
+    : this->DrawExpected(frame, store, this->FindDraws(expected));
+  if (!failure && !isMultisampled)
   {
-    this->DrawLists(frame, store, counters, AllTiles);
+    const vtkOITFailure later = this->DrawWhatIsLeft(frame, store, counters);
+    fault = later.GetReason();
   }
-  else
-  {
-    this->DrawExpected(frame, store, expected);
-    counters = store.ReadCounters();
-    if (!counters.Overflow && (counters.Marks & vtkOITFragmentStore::TryAgain))
-    {
-      glMemoryBarrier(Barriers);
-      this->DrawTiles(this->SecondChanceStage, frame, store, TilesToTryAgain,
-        [this] { return this->Shaders.GetSecondChance(); });
-      counters = store.ReadCounters();
-    }
-    if (!counters.Overflow && (counters.Marks & vtkOITFragmentStore::HasLists))
-    {
-      this->DrawLists(frame, store, counters, TilesWithLists);
-    }
-    if (!counters.Overflow)
-    {
-      this->DepthComplexity.Update(store.GetTileGrid(), counters.Tiles);
-    }
-  }
-  store.UnbindTiles(frame.GLState, TileUnit);
-  return counters;
+  store.UnbindTiles(frame.GLState, OIT_UNIT_STATE);
+  return failure;
 }
 
 //------------------------------------------------------------------------------
-vtkOITFragmentStore::Counters vtkOITABufferResolver::Count(
-  const vtkOITFrame& frame, const vtkOITFragmentStore& store)
+// The pixels that the networks have left.
+vtkOITFailure vtkOITABufferResolver::DrawWhatIsLeft(
+  const vtkOITFrame& frame, vtkOITFragmentStore& store, vtkOITFragmentStore::Counters& counters)
+{
+  vtkOITFailure failure;
+  counters = store.ReadCounters();
+  if (!counters.Overflow && (counters.Marks & OIT_TRY_AGAIN))
+  {
+    glMemoryBarrier(Barriers);
+    failure = this->DrawTiles(this->SecondChanceStage, frame, store, TilesToTryAgain,
+      [this] { return this->Shaders.GetSecondChance(); });
+    counters = store.ReadCounters();
+  }
+  if (!failure && !counters.Overflow && (counters.Marks & OIT_HAS_LISTS))
+  {
+    failure = this->DrawLists(frame, store, counters, TilesWithLists);
+  }
+  if (!counters.Overflow)
+  {
+    this->DepthComplexity.Update(store.GetTileGrid(), counters.Tiles);
+  }
+  return failure;
+}
+
+//------------------------------------------------------------------------------
+vtkOITFailure vtkOITABufferResolver::Count(const vtkOITFrame& frame,
+  const vtkOITFragmentStore& store, vtkOITFragmentStore::Counters& counters)
 {
   frame.GLState->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE); // it has no output
-  this->CountStage.Render(
+  vtkOITFailure failure = this->CountStage.Render(
     frame.Window, vtkOITFullScreenVS, [this] { return this->Shaders.GetCount(); },
     [&store](vtkShaderProgram* program) { store.SetUniforms(program); });
-  return store.ReadCounters();
+  counters = store.ReadCounters();
+  return failure;
 }
 
 //------------------------------------------------------------------------------
@@ -135,20 +150,20 @@ void vtkOITABufferResolver::PrepareOutput(
   const vtkOITFrame& frame, const vtkOITFragmentStore& store) const
 {
   vtkOpenGLState* state = frame.GLState;
-  frame.DrawToFirstBufferOnly();
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   vtkOITSetOutputBlending(state, this->Shaders.FramebufferFetch);
   const vtkOITTileGrid& grid = store.GetTileGrid();
   constexpr int size = vtkOITTileGrid::TileSize;
   state->vtkglViewport(
     grid.FirstColumn * size, grid.FirstRow * size, grid.Columns * size, grid.Rows * size);
-  store.BindTiles(state, TileUnit);
+  store.BindTiles(state, OIT_UNIT_STATE);
 }
 
 //------------------------------------------------------------------------------
-void vtkOITABufferResolver::DrawExpected(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
+std::vector<vtkOITABufferResolver::TileDraw> vtkOITABufferResolver::FindDraws(
   const std::vector<std::uint32_t>& expected)
 {
+  std::vector<TileDraw> draws;
   int smallest = 0;
   const auto isNeeded = [&](int largest)
   {
@@ -159,7 +174,7 @@ void vtkOITABufferResolver::DrawExpected(const vtkOITFrame& frame, const vtkOITF
   for (std::size_t i = 0; i < this->ResolveStages.size(); ++i)
   {
     const int size = vtkOITABufferShaders::NetworkSizes[i];
-    const bool isDeep = size > vtkOITABufferShaders::LongList;
+    const bool isDeep = size > OIT_LONG_LIST;
     if (isDeep && isNeeded(size) && this->DeepFrames < DeepFramesToCompile)
     {
       ++this->DeepFrames;
@@ -167,53 +182,88 @@ void vtkOITABufferResolver::DrawExpected(const vtkOITFrame& frame, const vtkOITF
     }
     if (isNeeded(size))
     {
-      this->DrawTiles(this->ResolveStages[i], frame, store, { smallest, size },
-        [this, size] { return this->Shaders.GetResolve(size); });
+      draws.push_back({ &this->ResolveStages[i], { smallest, size },
+        [this, size] { return this->Shaders.GetResolve(size); } });
     }
     smallest = size + 1;
   }
   constexpr int largest = std::numeric_limits<int>::max();
   if (isNeeded(largest))
   {
-    this->DrawTiles(this->SecondChanceStage, frame, store, { smallest, largest },
-      [this] { return this->Shaders.GetSecondChance(); });
+    draws.push_back({ &this->SecondChanceStage, { smallest, largest },
+      [this] { return this->Shaders.GetSecondChance(); } });
   }
+  return draws;
 }
 
 //------------------------------------------------------------------------------
-void vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
-  vtkOITFragmentStore::Counters& counters, const std::array<int, 2>& tileClass)
+// All programs before the first draw, so that nothing or all is drawn.
+vtkOITFailure vtkOITABufferResolver::DrawExpected(
+  const vtkOITFrame& frame, const vtkOITFragmentStore& store, const std::vector<TileDraw>& draws)
+{
+  for (const TileDraw& draw : draws)
+  {
+    if (vtkOITFailure failure =
+          draw.Stage->Prepare(frame.Window, GetTileVertexShader().c_str(), draw.GetFragmentShader))
+    {
+      return failure;
+    }
+  }
+  for (const TileDraw& draw : draws)
+  {
+    if (vtkOITFailure failure =
+          this->DrawTiles(*draw.Stage, frame, store, draw.TileClass, draw.GetFragmentShader))
+    {
+      return failure;
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
+  const vtkOITFragmentStore& store, vtkOITFragmentStore::Counters& counters,
+  const std::array<int, 2>& tileClass)
 {
   const std::uint32_t longest = *std::max_element(counters.Tiles.begin(), counters.Tiles.end());
   if (longest == 0)
   {
-    return;
+    return {};
   }
   glMemoryBarrier(Barriers);
   vtkOpenGLState* state = frame.GLState;
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE); // Sort has no output
+  vtkOITFailure failure;
   for (const auto& widths : PlanSort(static_cast<int>(longest)))
   {
-    this->DrawTiles(
+    failure = this->DrawTiles(
       this->SortStage, frame, store, tileClass, [this] { return this->Shaders.GetSort(); },
       [&widths](vtkShaderProgram* program)
       {
         program->SetUniformi("oitFirstWidth", widths.first);
         program->SetUniformi("oitLastWidth", widths.second);
       });
+    if (failure)
+    {
+      break;
+    }
     glMemoryBarrier(Barriers);
   }
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  this->DrawTiles(
-    this->CompositeStage, frame, store, tileClass, [this] { return this->Shaders.GetComposite(); });
+  if (!failure)
+  {
+    failure = this->DrawTiles(this->CompositeStage, frame, store, tileClass,
+      [this] { return this->Shaders.GetComposite(); });
+  }
   if (this->Threshold > 0.0f)
   {
     counters.Skipped = store.ReadSkipped();
   }
+  return failure;
 }
 
 //------------------------------------------------------------------------------
-void vtkOITABufferResolver::DrawTiles(vtkOITScreenStage& stage, const vtkOITFrame& frame,
+vtkOITFailure vtkOITABufferResolver::DrawTiles(vtkOITScreenStage& stage, const vtkOITFrame& frame,
   const vtkOITFragmentStore& store, const std::array<int, 2>& tileClass,
   const std::function<std::string()>& getFragmentShader,
   const std::function<void(vtkShaderProgram*)>& setMore)
@@ -223,8 +273,8 @@ void vtkOITABufferResolver::DrawTiles(vtkOITScreenStage& stage, const vtkOITFram
   {
     store.SetUniforms(program);
     const int dimensions[2] = { grid.Columns, grid.Rows };
-    program->SetUniformi("oitTileTexels", TileUnit);
-    program->SetUniformi("oitExpectedTexels", TileUnit + 1);
+    program->SetUniformi("oitTileTexels", OIT_UNIT_STATE);
+    program->SetUniformi("oitExpectedTexels", OIT_UNIT_GATHERED);
     program->SetUniform2i("oitTileDimensions", dimensions);
     program->SetUniform2i("oitTileClass", tileClass.data());
     program->SetUniformf("oitThreshold", this->Threshold);
@@ -233,7 +283,6 @@ void vtkOITABufferResolver::DrawTiles(vtkOITScreenStage& stage, const vtkOITFram
       setMore(program);
     }
   };
-  static const std::string vertexShader = vtkOITABufferShaders::GetTileVertexShader();
-  stage.Render(frame.Window, vertexShader.c_str(), getFragmentShader, setUniforms,
+  return stage.Render(frame.Window, GetTileVertexShader().c_str(), getFragmentShader, setUniforms,
     2 * grid.GetNumberOfTiles());
 }

@@ -10,7 +10,7 @@
 
 #include <array>
 
-class vtkOITFrame;
+struct vtkOITFrame;
 class vtkShaderProgram;
 
 /**
@@ -19,7 +19,7 @@ class vtkShaderProgram;
  * 1. Each tile is drawn with the smallest sorting network that takes the depth complexity it had
  *    in the last frame; beyond the largest one, as in step 3. The network for 64 fragments, which
  *    takes seconds to compile, is used from the eighth frame on that has tiles for it. Without a
- * last frame, Count finds the depth complexity.
+ *    last frame, Count finds the depth complexity.
  * 2. Counters and tiles are read back: normally the only time that the pass waits for the GPU.
  * 3. Tiles with pixels that were left, if any, get a second chance with the largest network, in
  *    which the nearest fragments of longer lists may be enough; other long lists and coincident
@@ -34,8 +34,10 @@ public:
   void SetShaders(const vtkOITABufferShaders& shaders);
 
   /// Draws into the framebuffer, unless the store has overflowed: then nothing is drawn. Changes
-  /// blending, draw buffers, colour mask and viewport.
-  vtkOITFragmentStore::Counters Resolve(const vtkOITFrame& frame, vtkOITFragmentStore& store);
+  /// blending, colour mask and viewport. When it fails, nothing is drawn; `fault` tells what was
+  /// left out of what was drawn.
+  vtkOITFailure Resolve(const vtkOITFrame& frame, vtkOITFragmentStore& store,
+    vtkOITFragmentStore::Counters& counters, std::string& fault);
 
   /// Behind a transmittance of at most this, long lists need not be composited. Default 0.
   void SetThreshold(float threshold) { this->Threshold = threshold; }
@@ -47,13 +49,24 @@ public:
   static constexpr int LongestList = 40000;
 
 private:
-  vtkOITFragmentStore::Counters Count(const vtkOITFrame& frame, const vtkOITFragmentStore& store);
+  vtkOITFailure Count(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
+    vtkOITFragmentStore::Counters& counters);
   void PrepareOutput(const vtkOITFrame& frame, const vtkOITFragmentStore& store) const;
-  void DrawExpected(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
-    const std::vector<std::uint32_t>& expected);
-  void DrawLists(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
+  /// A draw of the tiles of one class.
+  struct TileDraw
+  {
+    vtkOITScreenStage* Stage;
+    std::array<int, 2> TileClass;
+    std::function<std::string()> GetFragmentShader;
+  };
+  std::vector<TileDraw> FindDraws(const std::vector<std::uint32_t>& expected);
+  vtkOITFailure DrawExpected(
+    const vtkOITFrame& frame, const vtkOITFragmentStore& store, const std::vector<TileDraw>& draws);
+  vtkOITFailure DrawWhatIsLeft(
+    const vtkOITFrame& frame, vtkOITFragmentStore& store, vtkOITFragmentStore::Counters& counters);
+  vtkOITFailure DrawLists(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
     vtkOITFragmentStore::Counters& counters, const std::array<int, 2>& tileClass);
-  void DrawTiles(vtkOITScreenStage& stage, const vtkOITFrame& frame,
+  vtkOITFailure DrawTiles(vtkOITScreenStage& stage, const vtkOITFrame& frame,
     const vtkOITFragmentStore& store, const std::array<int, 2>& tileClass,
     const std::function<std::string()>& getFragmentShader,
     const std::function<void(vtkShaderProgram*)>& setMore = {});

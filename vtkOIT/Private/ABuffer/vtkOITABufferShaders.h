@@ -3,6 +3,10 @@
 #ifndef vtkOITABufferShaders_h
 #define vtkOITABufferShaders_h
 
+#include "Private/GL/vtkOITShaderText.h"
+
+#include "glsl/Common/vtkOITConstants.h"
+
 #include <array>
 #include <string>
 
@@ -18,19 +22,16 @@ struct vtkOITABufferShaders
   bool FramebufferFetch = false;
   bool PostDepthCoverage = false;
   bool HeadInTarget = false;
+  bool ClampColor = false;
 
   bool operator==(const vtkOITABufferShaders& other) const;
-  bool operator!=(const vtkOITABufferShaders& other) const { return !(*this == other); }
 
   /// A node takes two texels instead of one.
   bool HasWideNodes() const { return this->FloatColor || this->Samples > 0; }
   int GetBytesPerNode() const { return this->HasWideNodes() ? 32 : 16; }
 
-  /// Multisampled: the coverage after the depth test is not known to a shader, so it tests itself.
-  bool NeedsDepthTest() const { return this->Samples > 0 && !this->PostDepthCoverage; }
-
-  /// Changes a mapper's fragment shader into the Gather stage. False when it has no main().
-  bool WrapGather(std::string& fragmentShader) const;
+  /// The stage on fragments of props.
+  vtkOITShaderText GetGather() const;
 
   /// The vertex shader of stages that draw tiles, and the fragment shaders of all.
   ///@{
@@ -42,25 +43,18 @@ struct vtkOITABufferShaders
   std::string GetComposite() const;
   ///@}
 
-  /// Fragments of a pixel that the sorting networks in registers take, ascending.
-  static constexpr std::array<int, 8> NetworkSizes = { 4, 6, 8, 12, 16, 24, 32, 64 };
-
-  /// Fragments up to which all are composited, whatever the threshold; what SecondChance sorts at
-  /// once. Larger networks take seconds to compile.
-  static constexpr int LongList = 32;
+  /// Fragments of a pixel that the sorting networks in registers take, ascending. Larger ones than
+  /// OIT_LONG_LIST take seconds to compile.
+  static constexpr std::array<int, OIT_NETWORK_COUNT> NetworkSizes = { OIT_NETWORK_SIZES };
 
   /// Nearest fragments of longer lists that SecondChance keeps. The more, the fainter they may be
   /// to reach a threshold; the less of its network is left for loading others.
   static constexpr int KeptFragments = 24;
 
-  /// Nodes of the runs that Sort starts from.
-  static constexpr int RunSize = 16;
-
 private:
-  std::string GetDefinitions() const;
-  std::string GetHeader() const;
-  std::string GetOutputHeader() const;
-  std::string Assemble(const char* stage, const std::string& header) const;
+  void AddVariant(vtkOITShaderText& text) const;
+  vtkOITShaderText MakeStage(const char* file) const;
+  vtkOITShaderText MakeOutputStage(const char* file) const;
 };
 
 #endif

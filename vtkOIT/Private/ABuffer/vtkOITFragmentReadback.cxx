@@ -4,6 +4,7 @@
 
 #include "Private/ABuffer/vtkOITABufferShaders.h"
 #include "Private/ABuffer/vtkOITFragmentStore.h"
+#include "Private/GL/vtkOITReadback.h"
 
 #include "vtkFloatArray.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -15,7 +16,6 @@
 namespace
 {
 constexpr int Components = 7;
-constexpr std::uint32_t MarkOfHead = 0x80000000u; // OIT_LEFT
 
 float BitsToFloat(std::uint32_t bits)
 {
@@ -70,9 +70,10 @@ std::string vtkOITFragmentReadback::Read(
            "MaximumBufferSize, or render a smaller picture";
   }
   window->PushContext();
+  const vtkOITReadback readback;
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
   const std::int64_t nodesOfPages =
-    std::int64_t(this->Store.ReadCounters().NodeCount) + vtkOITFragmentStore::PageSize;
+    std::int64_t(this->Store.ReadCounters().NodeCount) + OIT_PAGE_SIZE;
   const std::vector<std::uint32_t> heads = this->ReadHeads();
   const std::vector<std::uint32_t> nodes =
     this->ReadNodes(std::min(nodesOfPages, this->Store.GetCapacity() + 1));
@@ -88,7 +89,7 @@ std::string vtkOITFragmentReadback::Read(
     {
       const std::size_t texel =
         static_cast<std::size_t>(y - lists.OriginY) * lists.Width + (x - lists.OriginX);
-      this->Append(heads[texel] & ~MarkOfHead, nodes, x, y, values);
+      this->Append(heads[texel] & ~OIT_LEFT, nodes, x, y, values);
     }
   }
   array->SetNumberOfTuples(static_cast<vtkIdType>(values.size() / Components));

@@ -3,6 +3,7 @@
 #include "Private/ABuffer/vtkOITFragmentStore.h"
 
 #include "Private/Frame/vtkOITCapabilities.h"
+#include "Private/GL/vtkOITAllocation.h"
 #include "Private/GL/vtkOITSharedDepth.h"
 
 #include "vtkOpenGLState.h"
@@ -10,20 +11,16 @@
 
 #include <algorithm>
 #include <cstring>
+#include <string>
 
 namespace
 {
 constexpr std::int64_t BytesPerTexel = 16; // of the pool as a buffer texture, GL_RGBA32UI
 
-// The words before the tiles in the counter buffer: nodes, overflow, skipped, one unused.
-constexpr int CounterWords = 4;
-constexpr int SkippedWord = 2;
-// Words of a tile: depth complexity or marks; depth complexity of marked tiles; fragments.
-constexpr int TileWords = 3;
-
 constexpr GLsizeiptr GetCounterBytes(int tiles)
 {
-  return static_cast<GLsizeiptr>(sizeof(std::uint32_t)) * (CounterWords + TileWords * tiles);
+  return static_cast<GLsizeiptr>(sizeof(std::uint32_t)) *
+    (OIT_COUNTER_WORDS + OIT_TILE_WORDS * tiles);
 }
 
 constexpr GLsizeiptr GetExpectedBytes(int tiles)
@@ -64,31 +61,40 @@ std::int64_t vtkOITFragmentStore::GetLargestPool(const vtkOITCapabilities& capab
 }
 
 //------------------------------------------------------------------------------
-void vtkOITFragmentStore::Reserve(vtkOpenGLRenderWindow* window,
+vtkOITFailure vtkOITFragmentStore::Reserve(vtkOpenGLRenderWindow* window,
   const vtkOITCapabilities& capabilities, const vtkOITRectangle& rectangle, std::int64_t fragments,
   int bytesPerNode, std::int64_t maximumPoolBytes)
 {
   this->Attach(window);
-  this->ReserveCounters(vtkOITTileGrid(rectangle).GetNumberOfTiles());
-  this->ReserveHeads(rectangle.Width + (this->WholeFramebuffer ? rectangle.X : 0),
-    rectangle.Height + (this->WholeFramebuffer ? rectangle.Y : 0));
+  vtkOITFailure failure = this->ReserveCounters(vtkOITTileGrid(rectangle).GetNumberOfTiles());
+  if (!failure)
+  {
+    failure = this->ReserveHeads(rectangle.Width + (this->WholeFramebuffer ? rectangle.X : 0),
+      rectangle.Height + (this->WholeFramebuffer ? rectangle.Y : 0));
+  }
   // In pages of 64 KiB, so that a slowly growing scene does not reallocate every frame.
   const std::int64_t bytes =
     std::min(RoundUp((fragments + 1) * bytesPerNode, 65536), maximumPoolBytes);
-  if (this->PoolBytes < bytes)
+  if (!failure && this->PoolBytes < bytes)
   {
-    this->ReservePool(bytes, capabilities);
+    failure = this->ReservePool(bytes, capabilities);
+  }
+  if (failure)
+  {
+    this->Release();
   }
   this->Nodes = this->PoolBytes / bytesPerNode;
+  return failure;
 }
 
 //------------------------------------------------------------------------------
-void vtkOITFragmentStore::ReserveCounters(int tiles)
+vtkOITFailure vtkOITFragmentStore::ReserveCounters(int tiles)
 {
   if (this->TileCapacity >= tiles)
   {
-    return;
+    return {};
   }
+  const vtkOITAllocation allocation;
   this->TileCapacity = tiles;
   glDeleteTextures(1, &this->CounterTexture);
   glDeleteBuffers(1, &this->CounterBuffer);
@@ -102,15 +108,17 @@ void vtkOITFragmentStore::ReserveCounters(int tiles)
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->ExpectedBuffer);
   glBufferData(GL_SHADER_STORAGE_BUFFER, GetExpectedBytes(tiles), nullptr, GL_DYNAMIC_DRAW);
   this->ExpectedTexture = MakeBufferTexture(GL_R32UI, this->ExpectedBuffer);
+  return allocation.Check("the counters of an A-buffer");
 }
 
 //------------------------------------------------------------------------------
-void vtkOITFragmentStore::ReserveHeads(int width, int height)
+vtkOITFailure vtkOITFragmentStore::ReserveHeads(int width, int height)
 {
   if (this->Width >= width && this->Height >= height)
   {
-    return;
+    return {};
   }
+  const vtkOITAllocation allocation;
   this->Width = std::max(this->Width, width);
   this->Height = std::max(this->Height, height);
   glDeleteTextures(1, &this->Heads);
@@ -120,25 +128,31 @@ void vtkOITFragmentStore::ReserveHeads(int width, int height)
   glBindTexture(GL_TEXTURE_2D, this->Heads);
   glTexStorage2D(GL_TEXTURE_2D, 1, GL_R32UI, this->Width, this->Height);
   glBindTexture(GL_TEXTURE_2D, bound);
+  return allocation.Check("the list heads of " + std::to_string(this->Width) + " x " +
+    std::to_string(this->Height) + " pixels");
 }
 
 //------------------------------------------------------------------------------
-void vtkOITFragmentStore::ReservePool(std::int64_t bytes, const vtkOITCapabilities& capabilities)
+vtkOITFailure vtkOITFragmentStore::ReservePool(
+  std::int64_t bytes, const vtkOITCapabilities& capabilities)
 {
   glDeleteTextures(1, &this->PoolTexture);
   glDeleteBuffers(1, &this->Pool);
   this->PoolTexture = 0;
   glGenBuffers(1, &this->Pool);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Pool);
-  while (glGetError() != GL_NO_ERROR)
-  {
-  }
+  vtkOITAllocation::TakeErrors();
   // Halve what the context refuses: a smaller pool costs bands, not correctness.
   glBufferData(GL_SHADER_STORAGE_BUFFER, bytes, nullptr, GL_DYNAMIC_COPY);
-  while (glGetError() == GL_OUT_OF_MEMORY && bytes > 65536)
+  bool isRefused = vtkOITAllocation::TakeErrors();
+  for (; isRefused && bytes > 65536; isRefused = vtkOITAllocation::TakeErrors())
   {
     bytes = RoundUp(bytes / 2, 65536);
     glBufferData(GL_SHADER_STORAGE_BUFFER, bytes, nullptr, GL_DYNAMIC_COPY);
+  }
+  if (isRefused)
+  {
+    return vtkOITFailure::OfMemory("OpenGL has no memory for the fragments of an A-buffer");
   }
   this->PoolBytes = bytes;
   this->NodesInImage = bytes > capabilities.MaximumStorageBlockSize;
@@ -146,6 +160,7 @@ void vtkOITFragmentStore::ReservePool(std::int64_t bytes, const vtkOITCapabiliti
   {
     this->PoolTexture = MakeBufferTexture(GL_RGBA32UI, this->Pool);
   }
+  return {};
 }
 
 //------------------------------------------------------------------------------
@@ -158,24 +173,25 @@ void vtkOITFragmentStore::Begin(const vtkOITRectangle& rectangle)
     this->WholeFramebuffer ? rectangle.Y : 0, 0, rectangle.Width, rectangle.Height, 1,
     GL_RED_INTEGER, GL_UNSIGNED_INT, &end);
   const std::vector<std::uint32_t> zeros(
-    CounterWords + TileWords * this->Grid.GetNumberOfTiles(), 0u);
+    OIT_COUNTER_WORDS + OIT_TILE_WORDS * this->Grid.GetNumberOfTiles(), 0u);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
   glBufferSubData(
     GL_SHADER_STORAGE_BUFFER, 0, GetCounterBytes(this->Grid.GetNumberOfTiles()), zeros.data());
-  glBindImageTexture(0, this->Heads, 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, this->CounterBuffer);
+  glBindImageTexture(OIT_IMAGE_HEADS, this->Heads, 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, OIT_BUFFER_COUNTERS, this->CounterBuffer);
   if (this->NodesInImage)
   {
-    glBindImageTexture(1, this->PoolTexture, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32UI);
+    glBindImageTexture(
+      OIT_IMAGE_NODES, this->PoolTexture, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32UI);
   }
   else
   {
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, this->Pool);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, OIT_BUFFER_NODES, this->Pool);
   }
 }
 
 //------------------------------------------------------------------------------
-bool vtkOITFragmentStore::BindHeadFramebuffer(vtkOpenGLState* state)
+vtkOITFailure vtkOITFragmentStore::BindHeadFramebuffer(vtkOpenGLState* state)
 {
   if (this->HeadFramebuffer == 0)
   {
@@ -204,18 +220,18 @@ void vtkOITFragmentStore::SetUniforms(vtkShaderProgram* program) const
 vtkOITFragmentStore::Counters vtkOITFragmentStore::ReadCounters() const
 {
   const int tiles = this->Grid.GetNumberOfTiles();
-  std::vector<std::uint32_t> words(CounterWords + TileWords * tiles);
+  std::vector<std::uint32_t> words(OIT_COUNTER_WORDS + OIT_TILE_WORDS * tiles);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
   glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, GetCounterBytes(tiles), words.data());
   Counters counters;
   counters.NodeCount = words[0];
-  counters.Overflow = words[1];
-  std::memcpy(&counters.Skipped, &words[SkippedWord], sizeof(float));
+  counters.Overflow = words[OIT_WORD_OVERFLOW];
+  std::memcpy(&counters.Skipped, &words[OIT_WORD_SKIPPED], sizeof(float));
   counters.Tiles.reserve(tiles);
-  for (std::size_t i = CounterWords; i < words.size(); i += TileWords)
+  for (std::size_t i = OIT_COUNTER_WORDS; i < words.size(); i += OIT_TILE_WORDS)
   {
-    const std::uint32_t marks = words[i] & (TryAgain | HasLists);
+    const std::uint32_t marks = words[i] & (OIT_TRY_AGAIN | OIT_HAS_LISTS);
     counters.Tiles.push_back(marks ? words[i + 1] : words[i]);
     counters.Marks |= marks;
     counters.FragmentCount += words[i + 2];
@@ -230,7 +246,7 @@ float vtkOITFragmentStore::ReadSkipped() const
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
   glGetBufferSubData(
-    GL_SHADER_STORAGE_BUFFER, SkippedWord * sizeof(std::uint32_t), sizeof(float), &skipped);
+    GL_SHADER_STORAGE_BUFFER, OIT_WORD_SKIPPED * sizeof(std::uint32_t), sizeof(float), &skipped);
   return skipped;
 }
 

@@ -4,8 +4,11 @@
 #define vtkOITFragmentStore_h
 
 #include "Private/Frame/vtkOITCompatibility.h"
+#include "Private/Frame/vtkOITFailure.h"
 #include "Private/Frame/vtkOITRectangle.h"
 #include "Private/GL/vtkOITContextObjects.h"
+
+#include "glsl/Common/vtkOITConstants.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -19,7 +22,7 @@ class vtkShaderProgram;
 /// The tiles that cover a rectangle, aligned to multiples of their size.
 struct vtkOITTileGrid
 {
-  static constexpr int TileSize = 16; // as in glsl/ABuffer/vtkOITABufferNodeFS.glsl
+  static constexpr int TileSize = OIT_TILE_SIZE;
 
   explicit vtkOITTileGrid(const vtkOITRectangle& r = {})
     : FirstColumn(r.X / TileSize)
@@ -60,21 +63,14 @@ public:
     std::vector<std::uint32_t> Tiles;
     /// The largest transmittance in front of fragments that were not composited; 0 for none.
     float Skipped = 0.0f;
-    /// All marks of tiles: TryAgain, HasLists.
+    /// All marks of tiles: OIT_TRY_AGAIN, OIT_HAS_LISTS.
     std::uint32_t Marks = 0;
   };
 
-  /// Nodes of a page, as in glsl/ABuffer/vtkOITABufferNodeFS.glsl.
-  static constexpr int PageSize = 4;
-
-  /// Marks of tiles, as in glsl/ABuffer/vtkOITABufferNodeFS.glsl.
-  static constexpr std::uint32_t TryAgain = 0x20000000u;
-  static constexpr std::uint32_t HasLists = 0x40000000u;
-
   /// Makes room for the rectangle's heads and for at least `fragments` fragments, as far as the
   /// context has the memory and the pool stays within `maximumPoolBytes`: see GetCapacity(). What
-  /// the pool held is lost when it grows.
-  void Reserve(vtkOpenGLRenderWindow* window, const vtkOITCapabilities& capabilities,
+  /// the pool held is lost when it grows. Fails when there is no memory for a pool at all.
+  vtkOITFailure Reserve(vtkOpenGLRenderWindow* window, const vtkOITCapabilities& capabilities,
     const vtkOITRectangle& rectangle, std::int64_t fragments, int bytesPerNode,
     std::int64_t maximumPoolBytes);
 
@@ -94,9 +90,9 @@ public:
   float ReadSkipped() const;
 
   /// Binds a framebuffer whose colour buffer are the list heads and whose depth buffer is that of
-  /// the framebuffer bound for drawing, so that Gather gets the heads by framebuffer fetch. False,
+  /// the framebuffer bound for drawing, so that Gather gets the heads by framebuffer fetch. Fails,
   /// and nothing is bound, where that is not possible. After Begin().
-  bool BindHeadFramebuffer(vtkOpenGLState* state);
+  vtkOITFailure BindHeadFramebuffer(vtkOpenGLState* state);
 
   const vtkOITRectangle& GetRectangle() const { return this->Rectangle; }
 
@@ -146,9 +142,9 @@ public:
 private:
   void Delete() override;
   void Forget() override;
-  void ReserveHeads(int width, int height);
-  void ReserveCounters(int tiles);
-  void ReservePool(std::int64_t bytes, const vtkOITCapabilities& capabilities);
+  vtkOITFailure ReserveHeads(int width, int height);
+  vtkOITFailure ReserveCounters(int tiles);
+  vtkOITFailure ReservePool(std::int64_t bytes, const vtkOITCapabilities& capabilities);
 
   GLuint Heads = 0;
   GLuint HeadFramebuffer = 0;

@@ -2,62 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/ABuffer/vtkOITSolidDepth.h"
 
-#include "Private/GL/vtkOITShaderText.h"
+#include "Private/Engine/vtkOITGeometry.h"
+#include "Private/Frame/vtkOITFrame.h"
+#include "glsl/Common/vtkOITConstants.h"
 
 #include "vtkOITABufferSolidFS.h"
+#include "vtkOITFragmentFS.h"
 
 #include "vtkActor.h"
 #include "vtkLookupTable.h"
 #include "vtkMapper.h"
-#include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderPass.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkProperty.h"
 
 #include <algorithm>
 #include <iterator>
-
-/// A pass of its own, so that mappers keep its shaders apart from those of Gather.
-class vtkOITSolidStage : public vtkOpenGLRenderPass
-{
-public:
-  static vtkOITSolidStage* New();
-  vtkTypeMacro(vtkOITSolidStage, vtkOpenGLRenderPass);
-
-  void Render(const vtkRenderState* state) override
-  {
-    this->PreRender(state);
-    this->Delegate->Render(state);
-    this->PostRender(state);
-  }
-
-  bool PostReplaceShaderValues(
-    std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*) override
-  {
-    return vtkOITWrapFragmentShader(fragmentShader, "", vtkOITABufferSolidFS);
-  }
-
-  bool SetShaderParameters(
-    vtkShaderProgram*, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject* = nullptr) override
-  {
-    this->GLState->vtkglDepthMask(GL_TRUE); // actors turn it off when they are translucent
-    return true;
-  }
-
-  vtkRenderPass* Delegate = nullptr;
-  vtkOpenGLState* GLState = nullptr;
-
-protected:
-  vtkOITSolidStage() = default;
-  ~vtkOITSolidStage() override = default;
-
-private:
-  vtkOITSolidStage(const vtkOITSolidStage&) = delete;
-  void operator=(const vtkOITSolidStage&) = delete;
-};
-
-vtkStandardNewMacro(vtkOITSolidStage);
 
 namespace
 {
@@ -106,42 +65,37 @@ std::vector<vtkProp*> vtkOITFindSolidProps(const std::vector<vtkProp*>& props)
 
 //------------------------------------------------------------------------------
 vtkOITSolidDepth::vtkOITSolidDepth()
-  : Stage(vtkSmartPointer<vtkOITSolidStage>::New())
 {
+  this->Gather.SetStage(vtkOITShaderText({ vtkOITFragmentFS, vtkOITABufferSolidFS }));
 }
 
 //------------------------------------------------------------------------------
-vtkOITSolidDepth::~vtkOITSolidDepth() = default;
-
-//------------------------------------------------------------------------------
-bool vtkOITSolidDepth::Render(
-  vtkOITFrame& frame, vtkRenderPass* delegate, const std::vector<vtkProp*>& props, int unit)
+vtkOITFailure vtkOITSolidDepth::Render(
+  const vtkOITFrame& frame, const std::vector<vtkProp*>& props, vtkOITGeometry& geometry)
 {
   vtkOpenGLState* state = frame.GLState;
   const vtkOITRectangle& r = frame.Rectangle;
-  this->Depth.Copy(frame, frame.FindStorage(r), r, unit);
-  this->Depth.Unbind(state, unit);
-  const bool isComplete = this->Bind(frame);
-  if (isComplete)
+  vtkOITFailure failure = this->Depth.Copy(frame, frame.FindStorage(r), r, OIT_UNIT_DEPTH);
+  if (failure)
   {
-    state->vtkglEnable(GL_SCISSOR_TEST);
-    state->vtkglScissor(r.X, r.Y, r.Width, r.Height);
-    state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    this->Stage->Delegate = delegate;
-    this->Stage->GLState = state;
-    const std::vector<vtkProp*> all = frame.GetProps();
-    frame.DrawOnly(props);
-    this->Stage->Render(frame.GetState());
-    frame.DrawOnly(all);
-    state->vtkglDepthMask(GL_FALSE);
-    this->Stage->Delegate = nullptr;
+    return failure;
   }
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame.Target.Framebuffer);
-  return isComplete;
+  this->Depth.Unbind(state, OIT_UNIT_DEPTH);
+  failure = this->Bind(frame);
+  if (failure)
+  {
+    return failure;
+  }
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  this->Gather.SetUniforms([state](vtkShaderProgram*, vtkProp*)
+    { state->vtkglDepthMask(GL_TRUE); }); // actors turn it off when they are translucent
+  geometry.Draw(props, this->Gather);
+  state->vtkglDepthMask(GL_FALSE);
+  return {};
 }
 
 //------------------------------------------------------------------------------
-bool vtkOITSolidDepth::Bind(const vtkOITFrame& frame)
+vtkOITFailure vtkOITSolidDepth::Bind(const vtkOITFrame& frame)
 {
   return this->Framebuffer.Bind(frame.Window, {}, this->Depth.GetAttachment());
 }

@@ -3,17 +3,16 @@
 #ifndef vtkOITSolidDepth_h
 #define vtkOITSolidDepth_h
 
+#include "Private/Engine/vtkOITGather.h"
+#include "Private/Frame/vtkOITFailure.h"
 #include "Private/GL/vtkOITDepthCopy.h"
 #include "Private/GL/vtkOITFramebuffer.h"
-
-#include "vtkSmartPointer.h"
 
 #include <cstdint>
 #include <vector>
 
-class vtkOITSolidStage;
+class vtkOITGeometry;
 class vtkProp;
-class vtkRenderPass;
 
 /**
  * A copy of the framebuffer's depth in which the fragments of opacity 1 of translucent props are
@@ -27,16 +26,14 @@ class vtkOITSolidDepth
 {
 public:
   vtkOITSolidDepth();
-  ~vtkOITSolidDepth();
 
-  /// Makes it for the frame's rectangle of the framebuffer bound for drawing, which stays bound.
-  /// Changes colour mask, depth mask and scissor. `unit` is a free texture unit. False when the
-  /// driver does not take such a framebuffer.
-  bool Render(
-    vtkOITFrame& frame, vtkRenderPass* delegate, const std::vector<vtkProp*>& props, int unit);
+  /// Makes it for the frame's rectangle of the target, which is bound. Changes framebuffer, colour
+  /// mask, depth mask and scissor.
+  vtkOITFailure Render(
+    const vtkOITFrame& frame, const std::vector<vtkProp*>& props, vtkOITGeometry& geometry);
 
   /// Binds a framebuffer for drawing that has only this depth.
-  bool Bind(const vtkOITFrame& frame);
+  vtkOITFailure Bind(const vtkOITFrame& frame);
 
   std::int64_t GetSizeInBytes() const { return this->Depth.GetSizeInBytes(); }
   static std::int64_t GetBytes(const vtkOITFrame& frame);
@@ -45,7 +42,7 @@ public:
 private:
   vtkOITDepthCopy Depth;
   vtkOITFramebuffer Framebuffer;
-  vtkSmartPointer<vtkOITSolidStage> Stage;
+  vtkOITGather Gather;
 };
 
 /// The props that can have fragments of opacity 1 although they are translucent: VTK multiplies the

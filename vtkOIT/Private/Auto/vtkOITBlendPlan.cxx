@@ -4,101 +4,40 @@
 
 #include "Private/Auto/vtkOITBlendCost.h"
 #include "Private/Auto/vtkOITPartialOrder.h"
+#include "Private/Auto/vtkOITPropOrder.h"
 #include "Private/Frame/vtkOITCapabilities.h"
 #include "Private/Frame/vtkOITFrame.h"
 #include "Private/Frame/vtkOITScreenExtents.h"
 
 #include "vtkActor.h"
-#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkMapper.h"
-#include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPolyData.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
 
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numeric>
 
 namespace
 {
-/// Window depths nearer to each other may be equal in float32, which makes fragments coincident.
-constexpr double SmallestDepthGap = 4.0 / (1 << 24);
-/// The same for positions, in diagonals of the bounds.
-constexpr double SmallestGap = 1e-4;
-
 /// Pairs grow with the square of the number of props of an island.
 constexpr std::size_t LargestIsland = 256;
 /// Fragments of a face in pixels of its rectangle: an ellipse.
 constexpr double FilledShare = 0.785;
 
-enum class Relation
-{
-  Apart, // no order is needed
-  FirstInFront,
-  SecondInFront,
-  FirstAround, // its far faces are behind, its near ones in front of the second
-  SecondAround,
-  Unknown
-};
+using Item = vtkOITPlacedProp;
+using Relation = vtkOITRelation;
+using View = vtkOITView;
+using Faces = vtkOITBlendSteps::Faces;
 
-/// Where the camera is, and where it looks to.
-struct View
-{
-  explicit View(vtkCamera* camera)
-    : IsParallel(camera->GetParallelProjection() != 0)
-  {
-    camera->GetPosition(this->Position.data());
-    camera->GetDirectionOfProjection(this->Direction.data());
-  }
-
-  /// Which side of the plane across an axis is in front: that of lower coordinates?
-  bool IsLowerInFront(int axis, double plane) const
-  {
-    return this->IsParallel ? this->Direction[axis] >= 0.0 : this->Position[axis] <= plane;
-  }
-
-  bool IsParallel;
-  std::array<double, 3> Position{};
-  std::array<double, 3> Direction{};
-};
-
-/// Depths, the camera's place, and which faces of triangles are front faces are what they seem.
-bool IsPlain(vtkCamera* camera)
-{
-  const double* shear = camera->GetViewShear();
-  return camera->GetModelTransformMatrix()->IsIdentity() && !camera->GetUserTransform() &&
-    !camera->GetUserViewTransform() && camera->GetUseOffAxisProjection() == 0 && shear[0] == 0.0 &&
-    shear[1] == 0.0;
-}
-
-struct Item
-{
-  vtkProp* Prop = nullptr;
-  const vtkOITScreenExtent* Extent = nullptr;
-  vtkOITMeshShape Shape = vtkOITMeshShape::Unknown;
-  std::array<double, 6> Bounds{};
-  vtkOITMeshBalls Balls;
-
-  bool IsClosed() const
-  {
-    return this->Shape == vtkOITMeshShape::ClosedConvex ||
-      this->Shape == vtkOITMeshShape::ClosedConvexInside;
-  }
-  Relation Compare(const Item& other, const View& view) const;
-  bool IsAround(const Item& other, double gap) const;
-};
 /// What is drawn of an item in one step.
 struct Part
 {
   const Item* Whole = nullptr;
-  vtkOITBlendPlan::Faces Side = vtkOITBlendPlan::Faces::All;
+  Faces Side = Faces::All;
 };
 using Parts = std::vector<Part>;
 
@@ -114,59 +53,6 @@ struct Island
       [](const Item* item) { return item->IsClosed(); });
   }
 };
-
-/// Whether nothing of the other is outside of the inner ball.
-bool Item::IsAround(const Item& other, double gap) const
-{
-  const glm::dvec3 center(this->Balls.Center[0], this->Balls.Center[1], this->Balls.Center[2]);
-  const std::array<double, 3>& c = other.Balls.Center;
-  double reach = glm::distance(center, glm::dvec3(c[0], c[1], c[2])) + other.Balls.Outer;
-  double toCorner = 0.0;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const glm::dvec3 point(other.Bounds[corner & 1], other.Bounds[2 + ((corner >> 1) & 1)],
-      other.Bounds[4 + (corner >> 2)]);
-    toCorner = std::max(toCorner, glm::distance(center, point));
-  }
-  return std::min(reach, toCorner) + gap < this->Balls.Inner;
-}
-
-Relation Item::Compare(const Item& other, const View& view) const
-{
-  if (this->Extent->Rectangle.Intersect(other.Extent->Rectangle).IsEmpty())
-  {
-    return Relation::Apart;
-  }
-  if (this->Extent->Farthest + SmallestDepthGap < other.Extent->Nearest)
-  {
-    return Relation::FirstInFront;
-  }
-  if (other.Extent->Farthest + SmallestDepthGap < this->Extent->Nearest)
-  {
-    return Relation::SecondInFront;
-  }
-  vtkBoundingBox both(this->Bounds.data());
-  both.AddBounds(other.Bounds.data());
-  const double gap = SmallestGap * both.GetDiagonalLength();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const int low = 2 * axis;
-    const int high = low + 1;
-    if (this->Bounds[high] + gap < other.Bounds[low])
-    {
-      return view.IsLowerInFront(axis, this->Bounds[high]) ? Relation::FirstInFront
-                                                           : Relation::SecondInFront;
-    }
-    if (other.Bounds[high] + gap < this->Bounds[low])
-    {
-      return view.IsLowerInFront(axis, other.Bounds[high]) ? Relation::SecondInFront
-                                                           : Relation::FirstInFront;
-    }
-  }
-  return this->IsAround(other, gap) ? Relation::FirstAround
-    : other.IsAround(*this, gap)    ? Relation::SecondAround
-                                    : Relation::Unknown;
-}
 
 std::vector<Island> FindIslands(std::vector<Item>& items)
 {
@@ -251,13 +137,13 @@ public:
       this->First.push_back(this->AllParts.size());
       if (item->IsClosed())
       {
-        this->AllParts.push_back({ item, vtkOITBlendPlan::Faces::Far });
-        this->AllParts.push_back({ item, vtkOITBlendPlan::Faces::Near });
+        this->AllParts.push_back({ item, Faces::Far });
+        this->AllParts.push_back({ item, Faces::Near });
         this->Order.SetBefore(this->First.back(), this->First.back() + 1);
       }
       else
       {
-        this->AllParts.push_back({ item, vtkOITBlendPlan::Faces::All });
+        this->AllParts.push_back({ item, Faces::All });
       }
     }
     this->First.push_back(this->AllParts.size());
@@ -366,10 +252,9 @@ vtkOITBlendCost FindCost(const std::vector<Island>& islands, std::int64_t frameA
   return cost;
 }
 
-void AppendTo(
-  std::vector<vtkOITBlendPlan::Step>& steps, const Parts& level, vtkOITBlendPlan::Faces side)
+void AppendTo(std::vector<vtkOITBlendSteps::Step>& steps, const Parts& level, Faces side)
 {
-  vtkOITBlendPlan::Step step;
+  vtkOITBlendSteps::Step step;
   step.Side = side;
   for (const Part& part : level)
   {
@@ -382,7 +267,7 @@ void AppendTo(
   {
     return;
   }
-  if (!steps.empty() && side == vtkOITBlendPlan::Faces::All && steps.back().Side == side)
+  if (!steps.empty() && side == Faces::All && steps.back().Side == side)
   {
     std::vector<vtkProp*>& props = steps.back().Props;
     props.insert(props.end(), step.Props.begin(), step.Props.end());
@@ -393,21 +278,23 @@ void AppendTo(
 }
 
 //------------------------------------------------------------------------------
-vtkOITBlendPlan::vtkOITBlendPlan(const vtkOITFrame& frame,
-  const std::vector<vtkOITScreenExtent>& extents, vtkOITMeshShapes& shapes)
+vtkOITBlendPlan::vtkOITBlendPlan(const vtkOITFrame& frame, vtkOITMeshShapes& shapes)
+  : Sorted(frame)
 {
-  vtkCamera* camera = frame.GetState()->GetRenderer()->GetActiveCamera();
+  this->Sorted.Props.clear();
+  this->Sorted.Extents.clear();
+  this->Sorted.Rectangle = {};
+  const View view(frame.Renderer);
   // Polygon offset moves depths away from where the bounds say.
   const bool hasPlainDepth = vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF &&
-    IsPlain(camera) && !frame.Window->GetStereoRender();
-  std::vector<Item> items(extents.size());
+    view.IsPlain && !frame.Window->GetStereoRender();
+  std::vector<Item> items(frame.Props.size());
   for (std::size_t i = 0; i < items.size(); ++i)
   {
-    items[i].Prop = frame.GetProps()[i];
-    items[i].Extent = &extents[i];
+    items[i].Prop = frame.Props[i];
+    items[i].Extent = &frame.Extents[i];
   }
   std::vector<Island> islands = FindIslands(items);
-  const View view(camera);
   for (Island& island : islands)
   {
     if (hasPlainDepth && island.Members.size() <= LargestIsland && FindShapes(island, shapes))
@@ -432,33 +319,29 @@ vtkOITBlendPlan::vtkOITBlendPlan(const vtkOITFrame& frame,
         const Parts& found = island.Levels[level];
         levels[level].insert(levels[level].end(), found.begin(), found.end());
       }
-      this->NumberOfBlendedProps += static_cast<int>(island.Members.size());
-      this->MaximumLayers = std::max(this->MaximumLayers, CountLayers(island));
+      this->Blended.NumberOfProps += static_cast<int>(island.Members.size());
+      this->Blended.MaximumLayers = std::max(this->Blended.MaximumLayers, CountLayers(island));
     }
     for (const Item* item : island.Members)
     {
-      vtkOITRectangle& rectangle = isBlended ? this->BlendRectangle : this->SortedRectangle;
+      vtkOITRectangle& rectangle = isBlended ? this->Blended.Rectangle : this->Sorted.Rectangle;
       rectangle = rectangle.Unite(item->Extent->Rectangle);
       if (!isBlended)
       {
-        this->Sorted.push_back(item->Prop);
+        this->Sorted.Props.push_back(item->Prop);
+        this->Sorted.Extents.push_back(*item->Extent);
       }
       else if (item->Shape == vtkOITMeshShape::ClosedConvexInside)
       {
-        this->InsideOut.push_back(item->Prop);
+        this->Blended.InsideOut.push_back(item->Prop);
       }
     }
   }
+  this->Sorted.Rectangle = this->Sorted.Rectangle.Intersect(frame.Rectangle);
   for (const Parts& level : levels)
   {
-    AppendTo(this->Steps, level, Faces::Far);
-    AppendTo(this->Steps, level, Faces::Near);
-    AppendTo(this->Steps, level, Faces::All);
+    AppendTo(this->Blended.Steps, level, Faces::Far);
+    AppendTo(this->Blended.Steps, level, Faces::Near);
+    AppendTo(this->Blended.Steps, level, Faces::All);
   }
-}
-
-//------------------------------------------------------------------------------
-bool vtkOITBlendPlan::IsInsideOut(vtkProp* prop) const
-{
-  return std::find(this->InsideOut.begin(), this->InsideOut.end(), prop) != this->InsideOut.end();
 }

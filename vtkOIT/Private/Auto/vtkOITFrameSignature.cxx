@@ -60,7 +60,7 @@ bool IsKnownTexture(vtkTexture* texture)
 //------------------------------------------------------------------------------
 vtkOITFrameSignature::vtkOITFrameSignature(const vtkOITFrame& frame, vtkMTimeType settings)
 {
-  vtkRenderer* renderer = frame.GetState()->GetRenderer();
+  vtkRenderer* renderer = frame.Renderer;
   this->Known = !frame.Window->GetStereoRender() && !renderer->GetUseShadows() &&
     !renderer->GetUseImageBasedLighting() && frame.Target.Samples == 0;
   this->Add(settings);
@@ -83,7 +83,7 @@ void vtkOITFrameSignature::AddDoubles(const double* values, int count)
 //------------------------------------------------------------------------------
 void vtkOITFrameSignature::AddView(const vtkOITFrame& frame)
 {
-  vtkRenderer* renderer = frame.GetState()->GetRenderer();
+  vtkRenderer* renderer = frame.Renderer;
   vtkCamera* camera = renderer->GetActiveCamera();
   this->Add(frame.Window);
   this->Add(renderer);
@@ -101,8 +101,9 @@ void vtkOITFrameSignature::AddView(const vtkOITFrame& frame)
     }
   }
   this->Add(frame.Target.Framebuffer);
-  this->Add(frame.Target.DrawBuffer);
+  this->Add(frame.Target.DrawBuffers[0]);
   this->Add(frame.Target.DepthBits);
+  this->Add(frame.Target.ClampsColor);
   this->Add(frame.Window->GetPointSmoothing());
   this->Add(frame.Window->GetLineSmoothing());
   this->Add(frame.Window->GetPolygonSmoothing());
@@ -111,7 +112,7 @@ void vtkOITFrameSignature::AddView(const vtkOITFrame& frame)
 //------------------------------------------------------------------------------
 void vtkOITFrameSignature::AddLights(const vtkOITFrame& frame)
 {
-  vtkRenderer* renderer = frame.GetState()->GetRenderer();
+  vtkRenderer* renderer = frame.Renderer;
   this->Add(renderer->GetTwoSidedLighting());
   this->AddDoubles(renderer->GetAmbient(), 3);
   vtkLightCollection* lights = renderer->GetLights();
@@ -154,14 +155,14 @@ void vtkOITFrameSignature::AddProps(const vtkOITFrame& frame)
   this->AddDoubles(others, 3);
   this->Add(vtkMapper::GetResolveCoincidentTopology());
   this->Add(vtkMapper::GetResolveCoincidentTopologyPolygonOffsetFaces());
-  for (vtkProp* prop : frame.GetProps())
+  for (vtkProp* prop : frame.Props)
   {
     vtkActor* plain = vtkOITFindPlainActor(prop);
     vtkActor* actor = plain ? plain : vtkOITFindCompositeActor(prop);
     if (!actor || actor->GetMapper()->HasObserver(vtkCommand::UpdateShaderEvent) ||
       actor->HasObserver(vtkCommand::UpdateShaderEvent) || !IsKnownProperty(actor->GetProperty()) ||
       !IsKnownProperty(actor->GetBackfaceProperty()) || !HasPlainKeys(actor) ||
-      !IsKnownTexture(actor->GetTexture()))
+      !IsKnownTexture(actor->GetTexture()) || vtkOITDrawsSelection(actor->GetMapper(), 0))
     {
       this->Known = false;
       return;

@@ -9,7 +9,7 @@
 #include <vector>
 
 class vtkMapper;
-class vtkOITFrame;
+struct vtkOITFrame;
 
 /**
  * Everything that the translucent layer of a frame is made from, as numbers, but for the depth of

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Auto/vtkOITMeshShapes.h"
 
+#include "Private/Frame/vtkOITCompatibility.h"
+
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"
 #include "vtkMapper.h"
@@ -28,7 +30,8 @@ bool IsCalled(vtkObjectBase* object, const char* name)
 bool DrawsPlainSurface(vtkActor* actor, vtkPolyData* mesh)
 {
   vtkProperty* property = actor->GetProperty();
-  return property->GetRepresentation() == VTK_SURFACE && !property->GetEdgeVisibility() &&
+  return !vtkOITDrawsSelection(actor->GetMapper(), 0) &&
+    property->GetRepresentation() == VTK_SURFACE && !property->GetEdgeVisibility() &&
     !property->GetVertexVisibility() && !property->GetBackfaceCulling() &&
     !property->GetFrontfaceCulling() && mesh->GetNumberOfVerts() == 0 &&
     mesh->GetNumberOfLines() == 0 && mesh->GetNumberOfStrips() == 0;

@@ -3,13 +3,13 @@
 #include "Private/Blending/vtkOITLayerTarget.h"
 
 #include "Private/GL/vtkOITOutput.h"
-#include "Private/GL/vtkOITSavedState.h"
 #include "Private/GL/vtkOITShaderText.h"
 #include "Private/GL/vtkOITSharedDepth.h"
+#include "glsl/Common/vtkOITConstants.h"
 
+#include "vtkOITBlendBesideFS.h"
 #include "vtkOITFullScreenVS.h"
 #include "vtkOITLayerCompositeFS.h"
-#include "vtkOITOutputFS.h"
 
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
@@ -18,72 +18,89 @@
 
 namespace
 {
-// Mappers count their units up from 0 and GL has at least 16.
-constexpr int Unit = 15;
+/// A framebuffer of ours with the depth of the frame's target.
+vtkOITTarget MakeTarget(const vtkOITFrame& frame, GLuint framebuffer, int buffers)
+{
+  vtkOITTarget target = frame.Target;
+  target.Framebuffer = framebuffer;
+  target.DrawBuffers = {};
+  for (int i = 0; i < buffers; ++i)
+  {
+    target.DrawBuffers[i] = GL_COLOR_ATTACHMENT0 + i;
+  }
+  return target;
+}
 
-/// How many frames are told apart: bits of an alpha, all ones.
-constexpr int Stamps = 255;
+void BindTarget(const vtkOITFrame& frame)
+{
+  frame.GLState->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame.Target.Framebuffer);
+}
+
+void ClearColor()
+{
+  const float nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+  glClearBufferfv(GL_COLOR, 0, nothing);
+}
 }
 
 //------------------------------------------------------------------------------
-bool vtkOITLayerTarget::Begin(vtkOITFrame& frame, const vtkOITRectangle& rectangle)
+vtkOITFailure vtkOITLayerTarget::Begin(
+  const vtkOITFrame& frame, const vtkOITRectangle& rectangle, vtkOITTarget& target)
 {
-  vtkOpenGLState* state = frame.GLState;
   const vtkOITRectangle storage = frame.FindStorage(rectangle);
-  this->Layer.Reserve(frame.Window, storage.Width, storage.Height, 1, GL_RGBA32F);
-  if (!vtkOITBindWithSharedDepth(
-        state, this->Framebuffer.Make(frame.Window), this->Layer.GetLayer(0)))
+  if (vtkOITFailure failure =
+        this->Layer.Reserve(frame.Window, storage.Width, storage.Height, 1, GL_RGBA32F))
   {
-    return false;
+    return failure;
+  }
+  const GLuint framebuffer = this->Framebuffer.Make(frame.Window);
+  BindTarget(frame);
+  if (vtkOITFailure failure =
+        vtkOITBindWithSharedDepth(frame.GLState, framebuffer, this->Layer.GetLayer(0)))
+  {
+    return failure;
   }
   this->Stamp = 0;
   this->Rectangle = rectangle;
-  this->TargetBefore = frame.Target;
-  frame.Target = vtkOITTarget::Query();
-  state->vtkglEnable(GL_SCISSOR_TEST);
-  state->vtkglScissor(rectangle.X, rectangle.Y, rectangle.Width, rectangle.Height);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  const float nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
-  glClearBufferfv(GL_COLOR, 0, nothing);
-  return true;
+  target = MakeTarget(frame, framebuffer, 1);
+  target.CoarseColor = false;
+  frame.On(target).BeginGeometry(rectangle);
+  ClearColor();
+  return {};
 }
 
 //------------------------------------------------------------------------------
-bool vtkOITLayerTarget::BeginBeside(const vtkOITFrame& frame, const vtkOITRectangle& rectangle)
+vtkOITFailure vtkOITLayerTarget::BeginBeside(
+  const vtkOITFrame& frame, const vtkOITRectangle& rectangle, vtkOITTarget& target)
 {
-  if (!this->CanBindBeside(frame))
-  {
-    return false;
-  }
   const vtkOITRectangle storage = frame.FindStorage(rectangle);
-  const bool isKept =
-    this->Layer.Reserve(frame.Window, storage.Width, storage.Height, 1, GL_RGBA32F);
-  if (!isKept || this->Stamp == 0 || this->Stamp == Stamps)
+  if (vtkOITFailure failure =
+        this->Layer.Reserve(frame.Window, storage.Width, storage.Height, 1, GL_RGBA32F))
+  {
+    return failure;
+  }
+  if (this->Layer.IsNew() || this->Stamp == 0 || this->Stamp == OIT_STAMPS)
   {
     this->ClearAll(frame);
   }
   ++this->Stamp;
-  this->TargetBefore = frame.Target;
+  target = MakeTarget(frame, this->FramebufferBeside.Make(frame.Window), 2);
   return this->BindBeside(frame);
 }
 
 //------------------------------------------------------------------------------
 // What the driver has refused is not tried again.
-bool vtkOITLayerTarget::CanBindBeside(const vtkOITFrame& frame) const
+vtkOITFailure vtkOITLayerTarget::BindBeside(const vtkOITFrame& frame)
 {
-  return this->BesideWorks && frame.Target.Framebuffer != 0;
-}
-
-//------------------------------------------------------------------------------
-bool vtkOITLayerTarget::BindBeside(const vtkOITFrame& frame)
-{
-  if (!this->CanBindBeside(frame))
+  if (!this->BesideWorks || frame.Target.Framebuffer == 0)
   {
-    return false;
+    return vtkOITRefuseFramebuffer();
   }
-  this->BesideWorks = vtkOITBindBeside(
+  BindTarget(frame);
+  vtkOITFailure failure = vtkOITBindBeside(
     frame.GLState, this->FramebufferBeside.Make(frame.Window), this->Layer.GetLayer(0));
-  return this->BesideWorks;
+  this->BesideWorks = !failure;
+  return failure;
 }
 
 //------------------------------------------------------------------------------
@@ -91,7 +108,6 @@ bool vtkOITLayerTarget::BindBeside(const vtkOITFrame& frame)
 void vtkOITLayerTarget::ClearAll(const vtkOITFrame& frame)
 {
   vtkOpenGLState* state = frame.GLState;
-  const vtkOITSavedState saved(state, false);
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->FramebufferBeside.Make(frame.Window));
   glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, 0);
   vtkOITAttachTo(GL_COLOR_ATTACHMENT0, this->Layer.GetLayer(0));
@@ -99,17 +115,15 @@ void vtkOITLayerTarget::ClearAll(const vtkOITFrame& frame)
   vtkOITFramebuffer::DrawInto(1);
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  const float nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
-  glClearBufferfv(GL_COLOR, 0, nothing);
+  ClearColor();
   this->Stamp = 0;
 }
 
 //------------------------------------------------------------------------------
-std::string vtkOITLayerTarget::GetHeaderBeside()
+void vtkOITLayerTarget::AddOutputBeside(vtkOITShaderText& text)
 {
-  return vtkOITRequireExtensions(
-           { "GL_ARB_explicit_attrib_location", "GL_ARB_shader_bit_encoding" }) +
-    "#define OIT_STAMPS " + std::to_string(Stamps) + "\n";
+  text.Require({ "GL_ARB_explicit_attrib_location", "GL_ARB_shader_bit_encoding" });
+  text.Insert("Output", vtkOITBlendBesideFS);
 }
 
 //------------------------------------------------------------------------------
@@ -124,13 +138,6 @@ void vtkOITLayerTarget::WriteBeside(bool writes)
 {
   const GLboolean mask = writes ? GL_TRUE : GL_FALSE;
   glColorMaski(1, mask, mask, mask, mask);
-}
-
-//------------------------------------------------------------------------------
-void vtkOITLayerTarget::End(vtkOITFrame& frame)
-{
-  frame.Target = this->TargetBefore;
-  frame.GLState->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame.Target.Framebuffer);
 }
 
 //------------------------------------------------------------------------------
@@ -151,64 +158,59 @@ void vtkOITLayerTarget::Release()
 }
 
 //------------------------------------------------------------------------------
-void vtkOITLayerTarget::Composite(const vtkOITFrame& frame)
+vtkOITFailure vtkOITLayerTarget::Composite(const vtkOITFrame& frame)
 {
   const bool byFetch = vtkOITWritesByFetch(frame);
-  const bool beside = byFetch && this->BindBeside(frame);
+  const bool beside = byFetch && !this->BindBeside(frame);
   if (byFetch != this->ByFetch || beside != this->ReadsBeside)
   {
     this->CompositeStage.Release();
     this->ByFetch = byFetch;
     this->ReadsBeside = beside;
   }
-  vtkOpenGLState* state = frame.GLState;
-  state->vtkglEnable(GL_SCISSOR_TEST);
-  state->vtkglScissor(
-    this->Rectangle.X, this->Rectangle.Y, this->Rectangle.Width, this->Rectangle.Height);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_CULL_FACE);
-  vtkOITSetOutputBlending(state, byFetch);
   if (beside)
   {
+    frame.On(MakeTarget(frame, this->FramebufferBeside.GetName(), 2))
+      .BeginGeometry(this->Rectangle);
+    frame.GLState->vtkglDisable(GL_DEPTH_TEST);
+    frame.GLState->vtkglDisable(GL_CULL_FACE);
     WriteBeside(false);
   }
   else
   {
-    frame.DrawToFirstBufferOnly();
+    frame.BeginOutput(this->Rectangle);
   }
-  this->CompositeStage.Render(
+  vtkOITSetOutputBlending(frame.GLState, byFetch);
+  vtkOITFailure failure = this->CompositeStage.Render(
     frame.Window, vtkOITFullScreenVS, [this] { return this->GetCompositeShader(); },
-    [this, state](vtkShaderProgram* program)
+    [this, &frame](vtkShaderProgram* program)
     {
       if (!this->ReadsBeside)
       {
-        this->Layer.Bind(state, Unit);
-        program->SetUniformi("oitLayer", Unit);
+        this->Layer.Bind(frame.GLState, OIT_UNIT_DEPTH);
+        program->SetUniformi("oitLayer", OIT_UNIT_DEPTH);
       }
     });
   if (beside)
   {
     WriteBeside(true);
-    state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame.Target.Framebuffer);
+    BindTarget(frame);
   }
   else
   {
-    vtkOITTextureArray::Unbind(state, Unit);
+    vtkOITTextureArray::Unbind(frame.GLState, OIT_UNIT_DEPTH);
   }
+  return failure;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkOITLayerTarget::GetCompositeShader() const
 {
-  std::string header = vtkOITGetOutputHeader(this->ByFetch);
+  vtkOITShaderText text({ vtkOITLayerCompositeFS });
   if (this->ReadsBeside)
   {
-    header = vtkOITRequireExtensions({ "GL_ARB_explicit_attrib_location" }) + header +
-      "#define OIT_BESIDE\n";
+    text.Require({ "GL_ARB_explicit_attrib_location" }).Define("OIT_BESIDE");
   }
-  std::string text = vtkOITLayerCompositeFS;
-  vtkOITReplace(text, "//VTK::System::Dec", "//VTK::System::Dec\n" + header);
-  vtkOITReplace(text, "//VTK::OIT::Output", vtkOITOutputFS);
-  return text;
+  vtkOITAddOutput(text, this->ByFetch);
+  return text.GetText();
 }

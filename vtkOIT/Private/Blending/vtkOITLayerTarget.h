@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <string>
 
+class vtkOITShaderText;
 class vtkShaderProgram;
 
 /**
@@ -25,22 +26,21 @@ class vtkShaderProgram;
 class vtkOITLayerTarget
 {
 public:
-  /// Draws into the empty layer from now on: the frame's target is the layer. False, and nothing
-  /// changes, where the framebuffer has no depth buffer that can be shared.
-  bool Begin(vtkOITFrame& frame, const vtkOITRectangle& rectangle);
+  /// Empties the layer: `target` is a framebuffer that draws into it. Fails where the framebuffer
+  /// has no depth buffer that can be shared, or there is no memory.
+  vtkOITFailure Begin(
+    const vtkOITFrame& frame, const vtkOITRectangle& rectangle, vtkOITTarget& target);
 
-  /// Draws into the framebuffer as before from now on, and into the layer as a second colour buffer
-  /// beside it, for shaders with vtkOITBlendBesideFS.glsl. For framebuffers of fixed-point
-  /// colour and contexts with framebuffer fetch. False, and nothing changes, where the driver does
-  /// not take the two together.
-  bool BeginBeside(const vtkOITFrame& frame, const vtkOITRectangle& rectangle);
+  /// `target` is a framebuffer that draws into what the frame's target draws into, and into the
+  /// layer as a second colour buffer beside it, for shaders with vtkOITBlendBesideFS.glsl. For
+  /// targets of fixed-point colour and contexts with framebuffer fetch. Fails where the driver does
+  /// not take the two together, or there is no memory.
+  vtkOITFailure BeginBeside(
+    const vtkOITFrame& frame, const vtkOITRectangle& rectangle, vtkOITTarget& target);
 
-  /// Draws into the framebuffer again. After Begin() or BeginBeside().
-  void End(vtkOITFrame& frame);
-
-  /// What these shaders need at their top, and their uniform.
+  /// The output of these shaders, and their uniform.
   ///@{
-  static std::string GetHeaderBeside();
+  static void AddOutputBeside(vtkOITShaderText& text);
   void SetUniformsBeside(vtkShaderProgram* program) const;
   ///@}
 
@@ -48,9 +48,9 @@ public:
   /// nothing is drawn over. To be turned on again afterwards.
   static void WriteBeside(bool writes);
 
-  /// The layer over the framebuffer bound for drawing, inside the rectangle of Begin(). Changes
+  /// The layer over the frame's target, inside the rectangle of Begin(). Changes framebuffer,
   /// blending, depth test, culling, scissor, colour mask and draw buffers.
-  void Composite(const vtkOITFrame& frame);
+  vtkOITFailure Composite(const vtkOITFrame& frame);
 
   std::int64_t GetSizeInBytes() const { return this->Layer.GetSizeInBytes(); }
   static std::int64_t GetBytes(const vtkOITFrame& frame, const vtkOITRectangle& rectangle);
@@ -58,8 +58,7 @@ public:
 
 private:
   void ClearAll(const vtkOITFrame& frame);
-  bool CanBindBeside(const vtkOITFrame& frame) const;
-  bool BindBeside(const vtkOITFrame& frame);
+  vtkOITFailure BindBeside(const vtkOITFrame& frame);
   std::string GetCompositeShader() const;
 
   vtkOITTextureArray Layer;
@@ -67,7 +66,6 @@ private:
   vtkOITFramebuffer FramebufferBeside;
   vtkOITScreenStage CompositeStage;
   vtkOITRectangle Rectangle;
-  vtkOITTarget TargetBefore;
   bool ByFetch = false;     // how CompositeStage
   bool ReadsBeside = false; // was compiled
   bool BesideWorks = true;

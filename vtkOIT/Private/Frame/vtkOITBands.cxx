@@ -51,6 +51,37 @@ bool vtkOITBands::Split(std::int64_t needed, std::int64_t capacity)
 }
 
 //------------------------------------------------------------------------------
+vtkOITFailure vtkOITBands::DrawAll(const std::function<vtkOITFailure(const vtkOITRectangle&)>& draw,
+  const std::function<void()>& free)
+{
+  vtkOITRectangle part;
+  while (this->GetNext(part))
+  {
+    vtkOITFailure failure = draw(part);
+    if (!failure)
+    {
+      this->Accept();
+      continue;
+    }
+    free();
+    if (!failure.IsOfMemory() || !this->Split(2, 1))
+    {
+      failure.Undrawn = this->GetUndrawn();
+      return failure;
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkOITRectangle> vtkOITBands::GetUndrawn() const
+{
+  std::vector<vtkOITRectangle> parts = this->Waiting;
+  parts.push_back(this->Current);
+  return parts;
+}
+
+//------------------------------------------------------------------------------
 /// What is divided: rows, or the columns of a single row.
 int vtkOITBands::GetExtent(const vtkOITRectangle& rectangle)
 {

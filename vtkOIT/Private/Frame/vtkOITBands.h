@@ -3,9 +3,11 @@
 #ifndef vtkOITBands_h
 #define vtkOITBands_h
 
+#include "Private/Frame/vtkOITFailure.h"
 #include "Private/Frame/vtkOITRectangle.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 /**
@@ -29,6 +31,14 @@ public:
 
   /// The part given last is done.
   void Accept() { this->Accepted.push_back(this->Current); }
+
+  /// Draws all parts, one after the other; one for which there is no memory is divided, after `free`
+  /// has freed what there is. A failure says what is not drawn.
+  vtkOITFailure DrawAll(const std::function<vtkOITFailure(const vtkOITRectangle&)>& draw,
+    const std::function<void()>& free);
+
+  /// The part given last, and all after it: where nothing is drawn yet.
+  std::vector<vtkOITRectangle> GetUndrawn() const;
 
   /// The next frame starts with one part again.
   void Forget() { this->Accepted.clear(); }

@@ -54,6 +54,20 @@ using vtkOITCompositeMapper = vtkCompositePolyDataMapper;
 using vtkOITCompositeMapper = vtkCompositePolyDataMapper2;
 #endif
 
+/// Whether a mapper draws selected cells besides its mesh: they came with vtkMapper::SetSelection().
+///@{
+template <typename Mapper>
+auto vtkOITDrawsSelection(Mapper* mapper, int) -> decltype(mapper->GetSelection() != nullptr)
+{
+  return mapper->GetSelection() != nullptr;
+}
+template <typename Mapper>
+bool vtkOITDrawsSelection(Mapper*, long)
+{
+  return false;
+}
+///@}
+
 /// Whether blocks have lookup tables (VTK 9.3) or textures (VTK 9.6) of their own.
 ///@{
 template <typename Attributes>

@@ -18,7 +18,7 @@
 //------------------------------------------------------------------------------
 vtkOITEyeDepthInterval vtkOITEyeDepthInterval::Find(const vtkOITFrame& frame)
 {
-  vtkCamera* camera = frame.GetState()->GetRenderer()->GetActiveCamera();
+  vtkCamera* camera = frame.Renderer->GetActiveCamera();
   vtkOITEyeDepthInterval interval;
   const double* range = camera->GetClippingRange();
   interval.Near = interval.Nearest = range[0];
@@ -31,7 +31,7 @@ vtkOITEyeDepthInterval vtkOITEyeDepthInterval::Find(const vtkOITFrame& frame)
   camera->GetDirectionOfProjection(direction.x, direction.y, direction.z);
   double nearest = interval.Far;
   double farthest = interval.Near;
-  for (vtkProp* prop : frame.GetProps())
+  for (vtkProp* prop : frame.Props)
   {
     auto* prop3D = vtkProp3D::SafeDownCast(prop);
     const double* bounds =

@@ -3,7 +3,7 @@
 #ifndef vtkOITEyeDepthInterval_h
 #define vtkOITEyeDepthInterval_h
 
-class vtkOITFrame;
+struct vtkOITFrame;
 class vtkShaderProgram;
 
 /// The eye depths (distances from the camera along its view) that the props of a frame can have,

@@ -4,90 +4,24 @@
 
 #include "Private/Frame/vtkOITCompatibility.h"
 
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkProp.h"
-#include "vtkRenderer.h"
 
 #include <algorithm>
-#include <utility>
 
-namespace
+//------------------------------------------------------------------------------
+vtkOITFrame vtkOITFrame::Inside(const vtkOITRectangle& rectangle) const
 {
-GLint GetAttachment(GLenum attachment, GLenum name)
-{
-  GLint value = 0;
-  glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, name, &value);
-  return value;
-}
-
-bool IsAttached(GLenum attachment)
-{
-  return GetAttachment(attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE;
-}
+  vtkOITFrame frame = *this;
+  frame.Rectangle = this->Rectangle.Intersect(rectangle);
+  return frame;
 }
 
 //------------------------------------------------------------------------------
-vtkOITTarget vtkOITTarget::Query()
+vtkOITFrame vtkOITFrame::On(const vtkOITTarget& target) const
 {
-  vtkOITTarget target;
-  glGetIntegerv(GL_SAMPLES, &target.Samples);
-  GLint framebuffer = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
-  GLint drawBuffer = GL_NONE;
-  glGetIntegerv(GL_DRAW_BUFFER0, &drawBuffer);
-  target.Framebuffer = static_cast<unsigned int>(framebuffer);
-  target.DrawBuffer = static_cast<unsigned int>(drawBuffer);
-  const bool isDefault = framebuffer == 0;
-  const GLenum color = isDefault ? GL_BACK_LEFT : static_cast<GLenum>(drawBuffer);
-  const GLenum depth = isDefault ? GL_DEPTH : GL_DEPTH_ATTACHMENT;
-  const GLenum stencil = isDefault ? GL_STENCIL : GL_STENCIL_ATTACHMENT;
-
-  if (color != GL_NONE && IsAttached(color))
-  {
-    target.CoarseColor =
-      GetAttachment(color, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_UNSIGNED_NORMALIZED &&
-      GetAttachment(color, GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE) <= 10 &&
-      GetAttachment(color, GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING) == GL_LINEAR;
-  }
-  if (IsAttached(depth))
-  {
-    target.DepthBits = GetAttachment(depth, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
-    target.FloatDepth = GetAttachment(depth, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
-  }
-  if (IsAttached(stencil))
-  {
-    target.StencilBits = GetAttachment(stencil, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE);
-  }
-  return target;
-}
-
-//------------------------------------------------------------------------------
-vtkOITFrame::vtkOITFrame(const vtkRenderState* state, std::vector<vtkProp*> translucentProps)
-  : State(state->GetRenderer())
-{
-  this->DrawOnly(std::move(translucentProps));
-  this->State.SetFrameBuffer(state->GetFrameBuffer());
-  this->State.SetRequiredKeys(state->GetRequiredKeys());
-  this->Window = vtkOpenGLRenderWindow::SafeDownCast(state->GetRenderer()->GetVTKWindow());
-  this->GLState = this->Window ? this->Window->GetState() : nullptr;
-}
-
-//------------------------------------------------------------------------------
-void vtkOITFrame::DrawOnly(std::vector<vtkProp*> props)
-{
-  this->Props = std::move(props);
-  this->State.SetPropArrayAndCount(this->Props.data(), static_cast<int>(this->Props.size()));
-}
-
-//------------------------------------------------------------------------------
-void vtkOITFrame::DrawToFirstBufferOnly() const
-{
-  if (this->Target.Framebuffer != 0) // the default framebuffer has but one
-  {
-    const GLenum buffer = this->Target.DrawBuffer;
-    glDrawBuffers(1, &buffer);
-  }
+  vtkOITFrame frame = *this;
+  frame.Target = target;
+  return frame;
 }
 
 //------------------------------------------------------------------------------
@@ -101,25 +35,36 @@ vtkOITRectangle vtkOITFrame::FindStorage(const vtkOITRectangle& band) const
 }
 
 //------------------------------------------------------------------------------
-void vtkOITFrame::ShiftViewport(const vtkOITRectangle& band, const vtkOITRectangle& storage) const
+void vtkOITFrame::BeginGeometry(const vtkOITRectangle& band) const
 {
-  const vtkOITRectangle& viewport = this->Viewport;
-  this->GLState->vtkglViewport(
-    viewport.X - storage.X, viewport.Y - storage.Y, viewport.Width, viewport.Height);
-  this->GLState->vtkglEnable(GL_SCISSOR_TEST);
-  this->GLState->vtkglScissor(band.X - storage.X, band.Y - storage.Y, band.Width, band.Height);
+  vtkOpenGLState* state = this->GLState;
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Target.Framebuffer);
+  this->Target.DrawToAllBuffers();
+  this->BeginStorage(band, { 0, 0, 0, 0 });
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkProp*> vtkOITFindTranslucentProps(const vtkRenderState* state)
+void vtkOITFrame::BeginStorage(const vtkOITRectangle& band, const vtkOITRectangle& storage) const
 {
-  vtkProp** first = state->GetPropArray();
-  std::vector<vtkProp*> props;
-  std::copy_if(first, first + state->GetPropArrayCount(), std::back_inserter(props),
-    [state](vtkProp* prop)
-    {
-      return prop->GetVisibility() && prop->HasTranslucentPolygonalGeometry() &&
-        prop->HasKeys(state->GetRequiredKeys());
-    });
-  return props;
+  vtkOpenGLState* state = this->GLState;
+  const vtkOITRectangle& viewport = this->Viewport;
+  state->vtkglViewport(
+    viewport.X - storage.X, viewport.Y - storage.Y, viewport.Width, viewport.Height);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(band.X - storage.X, band.Y - storage.Y, band.Width, band.Height);
+  state->SetEnumState(GL_DEPTH_TEST, this->Target.TestsDepth);
+  state->vtkglDepthFunc(this->Target.DepthFunction);
+  state->SetEnumState(GL_CULL_FACE, this->Target.CullsFaces);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITFrame::BeginOutput(const vtkOITRectangle& band) const
+{
+  vtkOpenGLState* state = this->GLState;
+  this->BeginGeometry(band);
+  this->Target.DrawToFirstBuffer();
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
 }

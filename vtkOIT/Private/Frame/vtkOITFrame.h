@@ -5,7 +5,7 @@
 
 #include "Private/Frame/vtkOITRectangle.h"
 #include "Private/Frame/vtkOITScreenExtents.h"
-#include "vtkRenderState.h"
+#include "Private/Frame/vtkOITTarget.h"
 
 #include <vector>
 
@@ -13,69 +13,50 @@ class vtkOITCapabilities;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLState;
 class vtkProp;
+class vtkRenderer;
 
-/// Facts about the bound framebuffer that decide how a pass captures and composites.
-struct vtkOITTarget
+/**
+ * What is drawn, where, and on what: a frame of a pass, or a part of one. It is made once and const
+ * from then on; parts of it, and the same on another target, are new ones.
+ */
+struct vtkOITFrame
 {
-  /// The framebuffer, 0 the default one, and its first draw buffer.
-  unsigned int Framebuffer = 0;
-  unsigned int DrawBuffer = 0;
-  /// Samples per pixel, 0 without multisampling.
-  int Samples = 0;
-  /// Fixed-point colour of at most 10 bits, linear: llvmpipe blends such a target in its own bits,
-  /// so a shader that reads the destination is more accurate.
-  bool CoarseColor = false;
-  /// Format of the depth buffer, 0 bits without one.
-  int DepthBits = 0;
-  int StencilBits = 0;
-  bool FloatDepth = false;
-
-  /// Asks GL about the framebuffer bound for drawing.
-  static vtkOITTarget Query();
-};
-
-/// One frame of a vtkOITPass: what RenderTranslucent() works on.
-class vtkOITFrame
-{
-public:
-  vtkOITFrame(const vtkRenderState* state, std::vector<vtkProp*> translucentProps);
-
-  /// Holds only the translucent props of the state that the pass was given.
-  const vtkRenderState* GetState() const { return &this->State; }
-
-  /// The props that the state holds, and a change of them.
-  ///@{
-  const std::vector<vtkProp*>& GetProps() const { return this->Props; }
-  void DrawOnly(std::vector<vtkProp*> props);
-  ///@}
-
-  /// Of the bound framebuffer's colour buffers, only the first is drawn to from now on.
-  void DrawToFirstBufferOnly() const;
-
-  /// The pixels that textures of a pass cover so that those of the band keep their place in the
-  /// framebuffer; in steps, so that a moving camera does not make every frame allocate.
-  vtkOITRectangle FindStorage(const vtkOITRectangle& band) const;
-
-  /// Viewport and scissor for drawing the band into textures that cover `storage`.
-  void ShiftViewport(const vtkOITRectangle& band, const vtkOITRectangle& storage) const;
-
+  vtkRenderer* Renderer = nullptr;
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkOpenGLState* GLState = nullptr;
   const vtkOITCapabilities* Capabilities = nullptr;
   /// Of GL, in pixels of the framebuffer.
   vtkOITRectangle Viewport;
-  /// Of the props that the pass was given, in their order.
-  std::vector<vtkOITScreenExtent> Extents;
-  /// The only pixels that translucent props can touch.
-  vtkOITRectangle Rectangle;
+  /// What is drawn into.
   vtkOITTarget Target;
 
-private:
+  /// The translucent props, and the extent of each.
   std::vector<vtkProp*> Props;
-  vtkRenderState State;
-};
+  std::vector<vtkOITScreenExtent> Extents;
+  /// The only pixels that may be drawn to.
+  vtkOITRectangle Rectangle;
 
-/// The props of the state that the delegate would draw as translucent.
-std::vector<vtkProp*> vtkOITFindTranslucentProps(const vtkRenderState* state);
+  /// The same inside of a rectangle only.
+  vtkOITFrame Inside(const vtkOITRectangle& rectangle) const;
+  /// The same on another target.
+  vtkOITFrame On(const vtkOITTarget& target) const;
+
+  /// The pixels that textures of a pass cover so that those of the band keep their place in the
+  /// framebuffer; in steps, so that a moving camera does not make every frame allocate.
+  vtkOITRectangle FindStorage(const vtkOITRectangle& band) const;
+
+  /// Sets the state from which geometry is drawn into the band of the target, as the application
+  /// would: the target with all of its buffers, viewport, depth test and culling as they were
+  /// found; the scissor is the band; depth is not written.
+  void BeginGeometry(const vtkOITRectangle& band) const;
+
+  /// The same for drawing into textures that cover `storage`: viewport and scissor are shifted.
+  /// Binds no framebuffer.
+  void BeginStorage(const vtkOITRectangle& band, const vtkOITRectangle& storage) const;
+
+  /// Sets the state in which pixels of the band are drawn over the target's first colour buffer:
+  /// no depth test, no culling.
+  void BeginOutput(const vtkOITRectangle& band) const;
+};
 
 #endif

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/GL/vtkOITDepthCopy.h"
 
+#include "Private/GL/vtkOITAllocation.h"
+
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 
 #include <algorithm>
+#include <string>
 
 namespace
 {
@@ -32,7 +35,8 @@ GLenum FindFormat(const vtkOITTarget& target)
 }
 
 //------------------------------------------------------------------------------
-void vtkOITDepthCopy::Allocate(const vtkOITFrame& frame, const vtkOITRectangle& rectangle, int unit)
+vtkOITFailure vtkOITDepthCopy::Allocate(
+  const vtkOITFrame& frame, const vtkOITRectangle& rectangle, int unit)
 {
   const int width = rectangle.Width;
   const int height = rectangle.Height;
@@ -43,7 +47,7 @@ void vtkOITDepthCopy::Allocate(const vtkOITFrame& frame, const vtkOITRectangle& 
     this->Samples == frame.Target.Samples && this->Width >= width && this->Height >= height)
   {
     glBindTexture(this->Target, this->Texture);
-    return;
+    return {};
   }
   this->Release();
   this->Attach(frame.Window);
@@ -57,6 +61,7 @@ void vtkOITDepthCopy::Allocate(const vtkOITFrame& frame, const vtkOITRectangle& 
   glGenTextures(1, &this->Texture);
   this->Serial = vtkOITAttachment::MakeSerial();
   glBindTexture(this->Target, this->Texture);
+  const vtkOITAllocation allocation;
   if (this->Samples > 0)
   {
     glTexStorage2DMultisample(this->Target, this->Samples, format, width, height, GL_TRUE);
@@ -68,13 +73,24 @@ void vtkOITDepthCopy::Allocate(const vtkOITFrame& frame, const vtkOITRectangle& 
     glTexParameteri(this->Target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   }
   glGenFramebuffers(1, &this->Framebuffer);
+  vtkOITFailure failure = allocation.Check(
+    "a depth buffer of " + std::to_string(width) + " x " + std::to_string(height) + " pixels");
+  if (failure)
+  {
+    glBindTexture(this->Target, 0);
+    this->Release();
+  }
+  return failure;
 }
 
 //------------------------------------------------------------------------------
-void vtkOITDepthCopy::Copy(const vtkOITFrame& frame, const vtkOITRectangle& storage,
+vtkOITFailure vtkOITDepthCopy::Copy(const vtkOITFrame& frame, const vtkOITRectangle& storage,
   const vtkOITRectangle& rectangle, int unit)
 {
-  this->Allocate(frame, storage, unit);
+  if (vtkOITFailure failure = this->Allocate(frame, storage, unit))
+  {
+    return failure;
+  }
   GLint source = 0;
   GLint read = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &source);
@@ -85,16 +101,21 @@ void vtkOITDepthCopy::Copy(const vtkOITFrame& frame, const vtkOITRectangle& stor
   glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER,
     frame.Target.StencilBits > 0 ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, this->Target,
     this->Texture, 0);
+  const bool isComplete = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   // The scissor test clips what a blit writes.
   vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
   state->vtkglDisable(GL_SCISSOR_TEST);
   const vtkOITRectangle& r = rectangle;
   const int x = r.X - storage.X;
   const int y = r.Y - storage.Y;
-  glBlitFramebuffer(r.X, r.Y, r.X + r.Width, r.Y + r.Height, x, y, x + r.Width, y + r.Height,
-    GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  if (isComplete)
+  {
+    glBlitFramebuffer(r.X, r.Y, r.X + r.Width, r.Y + r.Height, x, y, x + r.Width, y + r.Height,
+      GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  }
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, source);
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, read);
+  return isComplete ? vtkOITFailure() : vtkOITRefuseFramebuffer();
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #define vtkOITDepthCopy_h
 
 #include "Private/Frame/vtkOITCompatibility.h"
+#include "Private/Frame/vtkOITFailure.h"
 #include "Private/Frame/vtkOITFrame.h"
 #include "Private/GL/vtkOITContextObjects.h"
 #include "Private/GL/vtkOITFramebuffer.h"
@@ -25,7 +26,7 @@ public:
   /// Copies the rectangle out of the framebuffer bound for drawing, which stays bound. The texture
   /// covers `storage`, whose lower left corner becomes texel (0, 0); texels outside of the
   /// rectangle are undefined. Ends with the texture bound to `unit`, numbered from 0.
-  void Copy(const vtkOITFrame& frame, const vtkOITRectangle& storage,
+  vtkOITFailure Copy(const vtkOITFrame& frame, const vtkOITRectangle& storage,
     const vtkOITRectangle& rectangle, int unit);
   void Bind(vtkOpenGLState* state, int unit) const { this->BindTo(state, unit, this->Texture); }
   void Unbind(vtkOpenGLState* state, int unit) const { this->BindTo(state, unit, 0); }
@@ -40,7 +41,7 @@ private:
   void BindTo(vtkOpenGLState* state, int unit, GLuint texture) const;
   void Delete() override;
   void Forget() override;
-  void Allocate(const vtkOITFrame& frame, const vtkOITRectangle& rectangle, int unit);
+  vtkOITFailure Allocate(const vtkOITFrame& frame, const vtkOITRectangle& rectangle, int unit);
 
   GLuint Texture = 0;
   std::uint64_t Serial = 0;

@@ -10,6 +10,12 @@
 #include <atomic>
 
 //------------------------------------------------------------------------------
+vtkOITFailure vtkOITRefuseFramebuffer()
+{
+  return vtkOITFailure("the OpenGL driver does not draw into such a framebuffer");
+}
+
+//------------------------------------------------------------------------------
 std::uint64_t vtkOITAttachment::MakeSerial()
 {
   static std::atomic<std::uint64_t> last{ 0 };
@@ -41,7 +47,7 @@ GLuint vtkOITFramebuffer::Make(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-bool vtkOITFramebuffer::Bind(vtkOpenGLRenderWindow* window,
+vtkOITFailure vtkOITFramebuffer::Bind(vtkOpenGLRenderWindow* window,
   const std::vector<vtkOITAttachment>& colors, const vtkOITAttachment& depth)
 {
   this->Attach(window);
@@ -51,7 +57,7 @@ bool vtkOITFramebuffer::Bind(vtkOpenGLRenderWindow* window,
     glGenFramebuffers(1, &this->Framebuffer);
   }
   window->GetState()->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Framebuffer);
-  if (isNew || this->Colors != colors || !(this->Depth == depth))
+  if (isNew || !this->IsComplete || this->Colors != colors || !(this->Depth == depth))
   {
     const std::size_t count = std::max(colors.size(), this->Colors.size());
     for (std::size_t i = 0; i < count; ++i)
@@ -78,7 +84,7 @@ bool vtkOITFramebuffer::Bind(vtkOpenGLRenderWindow* window,
   {
     DrawInto(static_cast<int>(colors.size()));
   }
-  return this->IsComplete;
+  return this->IsComplete ? vtkOITFailure() : vtkOITRefuseFramebuffer();
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #define vtkOITFramebuffer_h
 
 #include "Private/Frame/vtkOITCompatibility.h"
+#include "Private/Frame/vtkOITFailure.h"
 #include "Private/GL/vtkOITContextObjects.h"
 
 #include <cstdint>
@@ -26,6 +27,9 @@ struct vtkOITAttachment
   static std::uint64_t MakeSerial();
 };
 
+/// The failure of a framebuffer that is not complete.
+vtkOITFailure vtkOITRefuseFramebuffer();
+
 /// Attaches to a point of the framebuffer bound for drawing.
 void vtkOITAttachTo(GLenum point, const vtkOITAttachment& attachment);
 
@@ -36,8 +40,8 @@ public:
   ~vtkOITFramebuffer() override { this->Release(); }
 
   /// Binds it for drawing into all of `colors` (at most 8), under the depth test against `depth`.
-  /// False when the driver does not accept the textures together.
-  bool Bind(vtkOpenGLRenderWindow* window, const std::vector<vtkOITAttachment>& colors,
+  /// Fails when the driver does not accept the textures together.
+  vtkOITFailure Bind(vtkOpenGLRenderWindow* window, const std::vector<vtkOITAttachment>& colors,
     const vtkOITAttachment& depth = {});
 
   /// Of the colours bound, draws only into the first so many.

@@ -20,11 +20,13 @@ bool vtkOITWritesByFetch(const vtkOITFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkOITGetOutputHeader(bool byFetch)
+void vtkOITAddOutput(vtkOITShaderText& text, bool byFetch)
 {
-  return byFetch ? vtkOITRequireExtensions({ "GL_EXT_shader_framebuffer_fetch" }) +
-      "#define OIT_FRAMEBUFFER_FETCH\n"
-                 : std::string();
+  text.Insert("Output", vtkOITOutputFS).Define("OIT_FRAMEBUFFER_FETCH", byFetch);
+  if (byFetch)
+  {
+    text.Require({ "GL_EXT_shader_framebuffer_fetch" });
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -41,8 +43,8 @@ void vtkOITSetOutputBlending(vtkOpenGLState* state, bool byFetch)
 }
 
 //------------------------------------------------------------------------------
-void vtkOITOutputStage::Render(const vtkOITFrame& frame,
-  const std::function<std::string()>& getFragmentShader,
+vtkOITFailure vtkOITOutputStage::Render(const vtkOITFrame& frame,
+  const std::function<vtkOITShaderText()>& getFragmentShader,
   const std::function<void(vtkShaderProgram*)>& setUniforms)
 {
   const bool byFetch = vtkOITWritesByFetch(frame);
@@ -51,20 +53,14 @@ void vtkOITOutputStage::Render(const vtkOITFrame& frame,
     this->Stage.Release();
     this->ByFetch = byFetch;
   }
-  vtkOpenGLState* state = frame.GLState;
-  vtkOITSetOutputBlending(state, byFetch);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
-  state->vtkglDisable(GL_CULL_FACE);
-  this->Stage.Render(
+  vtkOITSetOutputBlending(frame.GLState, byFetch);
+  return this->Stage.Render(
     frame.Window, vtkOITFullScreenVS,
     [&]
     {
-      std::string text = getFragmentShader();
-      vtkOITReplace(
-        text, "//VTK::System::Dec", "//VTK::System::Dec\n" + vtkOITGetOutputHeader(byFetch));
-      vtkOITReplace(text, "//VTK::OIT::Output", vtkOITOutputFS);
-      return text;
+      vtkOITShaderText text = getFragmentShader();
+      vtkOITAddOutput(text, byFetch);
+      return text.GetText();
     },
     setUniforms);
 }

@@ -5,15 +5,16 @@
 
 #include "Private/GL/vtkOITScreenStage.h"
 
+class vtkOITShaderText;
 class vtkOpenGLState;
-class vtkOITFrame;
+struct vtkOITFrame;
 
 /// How a stage with vtkOITOutputFS.glsl puts layers over the frame's target: by framebuffer fetch
 /// where blending would be less accurate and shaders can read the target, otherwise by blending.
 bool vtkOITWritesByFetch(const vtkOITFrame& frame);
 
-/// What such a shader needs at its top.
-std::string vtkOITGetOutputHeader(bool byFetch);
+/// Inserts vtkOITOutputFS.glsl at //VTK::OIT::Output of such a stage.
+void vtkOITAddOutput(vtkOITShaderText& text, bool byFetch);
 
 /// The blending that it needs.
 void vtkOITSetOutputBlending(vtkOpenGLState* state, bool byFetch);
@@ -22,9 +23,11 @@ void vtkOITSetOutputBlending(vtkOpenGLState* state, bool byFetch);
 class vtkOITOutputStage
 {
 public:
-  /// Draws over the bound framebuffer, within the scissor. `getFragmentShader` makes a text with
-  /// //VTK::OIT::Output once, and again when the target asks for another way to write.
-  void Render(const vtkOITFrame& frame, const std::function<std::string()>& getFragmentShader,
+  /// Draws over the frame's target, which is bound for output (vtkOITFrame::BeginOutput).
+  /// `getFragmentShader` makes a text with //VTK::OIT::Output once, and again when the target asks
+  /// for another way to write.
+  vtkOITFailure Render(const vtkOITFrame& frame,
+    const std::function<vtkOITShaderText()>& getFragmentShader,
     const std::function<void(vtkShaderProgram*)>& setUniforms);
   void Release() { this->Stage.Release(); }
 

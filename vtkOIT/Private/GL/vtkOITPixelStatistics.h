@@ -10,7 +10,7 @@
 
 #include <cstdint>
 
-class vtkOITFrame;
+struct vtkOITFrame;
 
 /**
  * Sums up what a pass counts in each pixel, in layer 1 of a texture array: fragments; unused; error
@@ -28,9 +28,10 @@ public:
     std::int64_t Lost = 0;
   };
 
-  /// Of a region of texels. Waits for the GPU; changes framebuffers, viewport and scissor.
-  Result Reduce(
-    const vtkOITFrame& frame, const vtkOITTextureArray& array, const vtkOITRectangle& region);
+  /// Of a region of texels. Waits for the GPU; changes framebuffers, viewport, scissor, blending,
+  /// depth test and culling.
+  vtkOITFailure Reduce(const vtkOITFrame& frame, const vtkOITTextureArray& array,
+    const vtkOITRectangle& region, Result& result);
 
   std::int64_t GetSizeInBytes() const { return this->Sums.GetSizeInBytes(); }
   void Release();

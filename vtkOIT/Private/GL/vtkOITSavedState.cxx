@@ -4,13 +4,8 @@
 
 #include "vtkOpenGLState.h"
 
-#include <algorithm>
-
 namespace
 {
-constexpr std::array<GLenum, 5> Capabilities = { GL_BLEND, GL_DEPTH_TEST, GL_SCISSOR_TEST,
-  GL_CULL_FACE, GL_MULTISAMPLE };
-
 GLint GetInteger(GLenum name)
 {
   GLint value = 0;
@@ -24,91 +19,113 @@ GLint GetInteger(GLenum name, int index)
   glGetIntegeri_v(name, static_cast<GLuint>(index), &value);
   return value;
 }
+
+vtkOITRectangle GetRectangle(GLenum name)
+{
+  GLint values[4] = { 0, 0, 0, 0 };
+  glGetIntegerv(name, values);
+  return { values[0], values[1], values[2], values[3] };
+}
 }
 
 //------------------------------------------------------------------------------
-// Everything is read from GL itself: the cache of vtkOpenGLState may not know what an application
-// did with plain GL calls.
-vtkOITSavedState::vtkOITSavedState(vtkOpenGLState* state, bool withStorage)
+vtkOITSavedState::vtkOITSavedState(vtkOpenGLState* state, const vtkOITTarget& target)
   : State(state)
-  , WithStorage(withStorage)
+  , Target(target)
 {
-  this->DrawFramebuffer = GetInteger(GL_DRAW_FRAMEBUFFER_BINDING);
   this->ReadFramebuffer = GetInteger(GL_READ_FRAMEBUFFER_BINDING);
   this->Renderbuffer = GetInteger(GL_RENDERBUFFER_BINDING);
+  this->VertexArray = GetInteger(GL_VERTEX_ARRAY_BINDING);
   this->ActiveTexture = GetInteger(GL_ACTIVE_TEXTURE);
-  this->DepthFunction = GetInteger(GL_DEPTH_FUNC);
   this->CullFaceMode = GetInteger(GL_CULL_FACE_MODE);
   glGetBooleanv(GL_DEPTH_WRITEMASK, &this->DepthMask);
-  glGetIntegerv(GL_VIEWPORT, this->Viewport.data());
-  glGetIntegerv(GL_SCISSOR_BOX, this->Scissor.data());
+  this->Viewport = GetRectangle(GL_VIEWPORT);
+  this->Scissor = GetRectangle(GL_SCISSOR_BOX);
   this->BlendFunction = { GetInteger(GL_BLEND_SRC_RGB), GetInteger(GL_BLEND_DST_RGB),
     GetInteger(GL_BLEND_SRC_ALPHA), GetInteger(GL_BLEND_DST_ALPHA) };
   this->BlendEquation = { GetInteger(GL_BLEND_EQUATION_RGB), GetInteger(GL_BLEND_EQUATION_ALPHA) };
   glGetBooleanv(GL_COLOR_WRITEMASK, this->ColorMask.data());
-  for (std::size_t i = 0; i < Capabilities.size(); ++i)
+  this->Blends = glIsEnabled(GL_BLEND) == GL_TRUE;
+  this->TestsScissor = glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE;
+  this->Multisamples = glIsEnabled(GL_MULTISAMPLE) == GL_TRUE;
+  this->HasLogicOperation = glIsEnabled(GL_COLOR_LOGIC_OP) == GL_TRUE;
+  this->LogicOperation = GetInteger(GL_LOGIC_OP_MODE);
+  this->Restore(); // makes the cache true
+  glDisable(GL_COLOR_LOGIC_OP);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITSavedState::SetAgain() const
+{
+  this->Restore();
+  // The default framebuffer takes one name only through glDrawBuffer.
+  if (this->Target.Framebuffer == 0)
   {
-    this->Enabled[i] = glIsEnabled(Capabilities[i]);
+    glDrawBuffer(this->Target.DrawBuffers[0]);
   }
-  this->DrawBufferCount =
-    std::min(GetInteger(GL_MAX_DRAW_BUFFERS), static_cast<GLint>(this->DrawBuffers.size()));
-  for (int i = 0; i < this->DrawBufferCount; ++i)
+  else
   {
-    this->DrawBuffers[i] = static_cast<GLenum>(GetInteger(GL_DRAW_BUFFER0 + i));
+    this->Target.DrawToAllBuffers();
   }
-  if (this->WithStorage)
+  glLogicOp(this->LogicOperation);
+  if (this->HasLogicOperation)
   {
-    this->SaveStorage();
+    glEnable(GL_COLOR_LOGIC_OP);
   }
 }
 
 //------------------------------------------------------------------------------
 vtkOITSavedState::~vtkOITSavedState()
 {
-  vtkOpenGLState* state = this->State;
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->DrawFramebuffer);
-  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->ReadFramebuffer);
+  this->SetAgain();
   glBindRenderbuffer(GL_RENDERBUFFER, this->Renderbuffer);
-  // The default framebuffer takes one name only through glDrawBuffer.
-  if (this->DrawFramebuffer == 0)
-  {
-    glDrawBuffer(this->DrawBuffers[0]);
-  }
-  else
-  {
-    glDrawBuffers(this->DrawBufferCount, this->DrawBuffers.data());
-  }
-  state->vtkglActiveTexture(this->ActiveTexture);
-  state->vtkglDepthFunc(this->DepthFunction);
-  state->vtkglDepthMask(this->DepthMask);
-  state->vtkglCullFace(this->CullFaceMode);
-  state->vtkglViewport(this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
-  state->vtkglScissor(this->Scissor[0], this->Scissor[1], this->Scissor[2], this->Scissor[3]);
-  state->vtkglBlendFuncSeparate(
-    this->BlendFunction[0], this->BlendFunction[1], this->BlendFunction[2], this->BlendFunction[3]);
-  state->vtkglBlendEquationSeparate(this->BlendEquation[0], this->BlendEquation[1]);
-  state->vtkglColorMask(
-    this->ColorMask[0], this->ColorMask[1], this->ColorMask[2], this->ColorMask[3]);
-  for (std::size_t i = 0; i < Capabilities.size(); ++i)
-  {
-    if (this->Enabled[i])
-    {
-      state->vtkglEnable(Capabilities[i]);
-    }
-    else
-    {
-      state->vtkglDisable(Capabilities[i]);
-    }
-  }
-  if (this->WithStorage)
+  glBindVertexArray(this->VertexArray);
+  if (this->HasStorage)
   {
     this->RestoreStorage();
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkOITSavedState::SaveStorage()
+void vtkOITSavedState::Restore() const
 {
+  vtkOpenGLState* state = this->State;
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Target.Framebuffer);
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->ReadFramebuffer);
+  state->vtkglActiveTexture(this->ActiveTexture);
+  state->vtkglDepthFunc(this->Target.DepthFunction);
+  state->vtkglDepthMask(this->DepthMask);
+  state->vtkglCullFace(this->CullFaceMode);
+  const vtkOITRectangle& v = this->Viewport;
+  state->vtkglViewport(v.X, v.Y, v.Width, v.Height);
+  const vtkOITRectangle& s = this->Scissor;
+  state->vtkglScissor(s.X, s.Y, s.Width, s.Height);
+  state->vtkglBlendFuncSeparate(
+    this->BlendFunction[0], this->BlendFunction[1], this->BlendFunction[2], this->BlendFunction[3]);
+  state->vtkglBlendEquationSeparate(this->BlendEquation[0], this->BlendEquation[1]);
+  state->vtkglColorMask(
+    this->ColorMask[0], this->ColorMask[1], this->ColorMask[2], this->ColorMask[3]);
+  state->SetEnumState(GL_BLEND, this->Blends);
+  state->SetEnumState(GL_DEPTH_TEST, this->Target.TestsDepth);
+  state->SetEnumState(GL_SCISSOR_TEST, this->TestsScissor);
+  state->SetEnumState(GL_CULL_FACE, this->Target.CullsFaces);
+  state->SetEnumState(GL_MULTISAMPLE, this->Multisamples);
+}
+
+//------------------------------------------------------------------------------
+const vtkOITRectangle& vtkOITSavedState::GetDrawnRectangle() const
+{
+  return this->TestsScissor ? this->Scissor : this->Viewport;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITSavedState::AddStorage()
+{
+  if (this->HasStorage)
+  {
+    return;
+  }
+  this->HasStorage = true;
   for (int i = 0; i < BindingCount; ++i)
   {
     ImageUnit& unit = this->ImageUnits[i];
@@ -127,7 +144,7 @@ void vtkOITSavedState::SaveStorage()
 }
 
 //------------------------------------------------------------------------------
-void vtkOITSavedState::RestoreStorage()
+void vtkOITSavedState::RestoreStorage() const
 {
   for (int i = 0; i < BindingCount; ++i)
   {

@@ -4,32 +4,44 @@
 #define vtkOITSavedState_h
 
 #include "Private/Frame/vtkOITCompatibility.h"
+#include "Private/Frame/vtkOITRectangle.h"
+#include "Private/Frame/vtkOITTarget.h"
 
 #include <array>
 
 class vtkOpenGLState;
 
 /**
- * Saves the GL state that a pass may touch when it is made, and restores it when it is destroyed.
+ * Saves the GL state that a pass may touch when it is made, and restores it when it is destroyed:
+ * once a frame.
  *
- * States that vtkOpenGLState caches are restored through it, so that its cache stays true:
- * framebuffers, active texture, viewport, scissor, blend function and equation, depth function and
- * mask, colour mask, cull face, and the capabilities blend, depth test, scissor test, cull face
- * and multisample. The others are restored with GL calls: draw buffers of the bound framebuffer,
- * image units, indexed and generic storage buffers, the bound renderbuffer.
- *
- * A pass uses image units and storage buffer bindings from 0 to BindingCount - 1 only.
+ * States that vtkOpenGLState caches are restored through it, and its cache is made true at the
+ * start, because an application may have changed them with plain GL calls: framebuffers, active
+ * texture, viewport, scissor, blend function and equation, depth function and mask, colour mask,
+ * cull face, and the capabilities blend, depth test, scissor test, cull face and multisample. The
+ * others are restored with GL calls: draw buffers of the bound framebuffer, the bound renderbuffer
+ * and vertex array, the logic operation on colours (which is off while the pass draws), and after AddStorage() image
+ * units and storage buffers.
  */
 class vtkOITSavedState
 {
 public:
-  /// `withStorage`: the context has image units and storage buffers, so save those too.
-  vtkOITSavedState(vtkOpenGLState* state, bool withStorage);
+  /// `target`: as it was queried just before.
+  vtkOITSavedState(vtkOpenGLState* state, const vtkOITTarget& target);
   ~vtkOITSavedState();
   vtkOITSavedState(const vtkOITSavedState&) = delete;
   vtkOITSavedState& operator=(const vtkOITSavedState&) = delete;
 
-  static constexpr int BindingCount = 3;
+  /// Saves image units and storage buffer bindings as well, those that engines use; before the
+  /// first engine that uses them. Needs a context that has them.
+  void AddStorage();
+
+  /// What was saved is set again, for a part of the frame that VTK draws by itself.
+  void SetAgain() const;
+
+  const vtkOITRectangle& GetViewport() const { return this->Viewport; }
+  /// The scissor, or the viewport where there is none.
+  const vtkOITRectangle& GetDrawnRectangle() const;
 
 private:
   struct ImageUnit
@@ -47,27 +59,30 @@ private:
     GLint64 Start = 0;
     GLint64 Size = 0;
   };
+  static constexpr int BindingCount = 2; // from 0 on, see glsl/Common/vtkOITConstants.h
 
-  void SaveStorage();
-  void RestoreStorage();
+  void Restore() const;
+  void RestoreStorage() const;
 
   vtkOpenGLState* State;
-  bool WithStorage;
-  GLint DrawFramebuffer = 0;
+  vtkOITTarget Target;
+  bool HasStorage = false;
   GLint ReadFramebuffer = 0;
   GLint Renderbuffer = 0;
+  GLint VertexArray = 0;
   GLint ActiveTexture = GL_TEXTURE0;
-  GLint DepthFunction = GL_LEQUAL;
   GLint CullFaceMode = GL_BACK;
   GLboolean DepthMask = GL_TRUE;
-  std::array<GLint, 4> Viewport{};
-  std::array<GLint, 4> Scissor{};
+  vtkOITRectangle Viewport;
+  vtkOITRectangle Scissor;
   std::array<GLint, 4> BlendFunction{};
   std::array<GLint, 2> BlendEquation{};
   std::array<GLboolean, 4> ColorMask{};
-  std::array<GLboolean, 5> Enabled{};
-  std::array<GLenum, 8> DrawBuffers{};
-  GLint DrawBufferCount = 0;
+  bool Blends = false;
+  bool TestsScissor = false;
+  bool Multisamples = false;
+  bool HasLogicOperation = false;
+  GLint LogicOperation = GL_COPY;
   std::array<ImageUnit, BindingCount> ImageUnits;
   std::array<StorageBinding, BindingCount> StorageBindings;
   GLint StorageBuffer = 0;

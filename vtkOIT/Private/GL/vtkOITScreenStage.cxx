@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/GL/vtkOITScreenStage.h"
 
+#include "vtkObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkShaderProgram.h"
 
 //------------------------------------------------------------------------------
-bool vtkOITScreenStage::Render(vtkOpenGLRenderWindow* window, const char* vertexShader,
+vtkOITFailure vtkOITScreenStage::Render(vtkOpenGLRenderWindow* window, const char* vertexShader,
   const std::function<std::string()>& getFragmentShader,
   const std::function<void(vtkShaderProgram*)>& setUniforms, int numberOfTriangles)
 {
@@ -17,33 +18,48 @@ bool vtkOITScreenStage::Render(vtkOpenGLRenderWindow* window, const char* vertex
 }
 
 //------------------------------------------------------------------------------
-bool vtkOITScreenStage::Render(vtkOpenGLRenderWindow* window, const char* vertexShader,
+vtkOITFailure vtkOITScreenStage::Render(vtkOpenGLRenderWindow* window, const char* vertexShader,
   const std::function<std::string()>& getFragmentShader,
   const std::function<void(vtkShaderProgram*)>& setUniforms,
   const std::function<void(const std::function<void()>& draw)>& drawing)
 {
-  this->Attach(window);
-  vtkOpenGLShaderCache* cache = window->GetShaderCache();
-  if (!this->Program)
+  if (vtkOITFailure failure = this->Prepare(window, vertexShader, getFragmentShader))
   {
-    this->Program = cache->ReadyShaderProgram(vertexShader, getFragmentShader().c_str(), "");
-    glGenVertexArrays(1, &this->VertexArray);
-  }
-  else
-  {
-    cache->ReadyShaderProgram(this->Program);
-  }
-  if (!this->Program)
-  {
-    return false;
+    return failure;
   }
   setUniforms(this->Program);
-  GLint bound = 0;
-  glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &bound);
   glBindVertexArray(this->VertexArray);
   drawing([] { glDrawArrays(GL_TRIANGLES, 0, 3); });
-  glBindVertexArray(bound);
-  return true;
+  glBindVertexArray(0);
+  return {};
+}
+
+//------------------------------------------------------------------------------
+// VTK prints all of a text that does not compile: once, not in every frame that tries again.
+vtkOITFailure vtkOITScreenStage::Prepare(vtkOpenGLRenderWindow* window, const char* vertexShader,
+  const std::function<std::string()>& getFragmentShader)
+{
+  this->Attach(window);
+  vtkOpenGLShaderCache* cache = window->GetShaderCache();
+  const int display = vtkObject::GetGlobalWarningDisplay();
+  if (this->HasFailed)
+  {
+    vtkObject::SetGlobalWarningDisplay(0);
+  }
+  this->Program = this->Program
+    ? (cache->ReadyShaderProgram(this->Program) ? this->Program : nullptr)
+    : cache->ReadyShaderProgram(vertexShader, getFragmentShader().c_str(), "");
+  vtkObject::SetGlobalWarningDisplay(display);
+  this->HasFailed = !this->Program;
+  if (this->HasFailed)
+  {
+    return vtkOITFailure("a shader of vtkOIT does not compile with this OpenGL driver");
+  }
+  if (this->VertexArray == 0)
+  {
+    glGenVertexArrays(1, &this->VertexArray);
+  }
+  return {};
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #define vtkOITScreenStage_h
 
 #include "Private/Frame/vtkOITCompatibility.h"
+#include "Private/Frame/vtkOITFailure.h"
 #include "Private/GL/vtkOITContextObjects.h"
 
 #include <functional>
@@ -21,14 +22,18 @@ class vtkOITScreenStage : public vtkOITContextObjects
 public:
   ~vtkOITScreenStage() override { this->Release(); }
 
+  /// Compiles the shaders when there is no program yet, so that Render() does not fail.
+  vtkOITFailure Prepare(vtkOpenGLRenderWindow* window, const char* vertexShader,
+    const std::function<std::string()>& getFragmentShader);
+
   /// Compiles the shaders when there is no program yet, makes it current, lets `setUniforms` set
-  /// its uniforms, and draws. False when they do not compile; the shader cache tells why.
+  /// its uniforms, and draws. Fails when they do not compile; the shader cache prints why.
   ///@{
-  bool Render(vtkOpenGLRenderWindow* window, const char* vertexShader,
+  vtkOITFailure Render(vtkOpenGLRenderWindow* window, const char* vertexShader,
     const std::function<std::string()>& getFragmentShader,
     const std::function<void(vtkShaderProgram*)>& setUniforms, int numberOfTriangles = 1);
   /// Draws when `drawing` calls what it is given, as often as it does.
-  bool Render(vtkOpenGLRenderWindow* window, const char* vertexShader,
+  vtkOITFailure Render(vtkOpenGLRenderWindow* window, const char* vertexShader,
     const std::function<std::string()>& getFragmentShader,
     const std::function<void(vtkShaderProgram*)>& setUniforms,
     const std::function<void(const std::function<void()>& draw)>& drawing);
@@ -40,6 +45,7 @@ private:
 
   vtkShaderProgram* Program = nullptr; // owned by the window's shader cache
   GLuint VertexArray = 0;              // empty; a core profile asks for one
+  bool HasFailed = false;              // to compile, and was told about
 };
 
 #endif

@@ -2,12 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/GL/vtkOITShaderText.h"
 
+#include "vtkOITConstantsText.h"
+
+#include <algorithm>
 #include <regex>
+#include <set>
 #include <sstream>
 
 namespace
 {
+constexpr const char* Top = "//VTK::System::Dec";
 constexpr const char* OITShade = "void oitShade()";
+
+/// Every `from`.
+void Replace(std::string& text, const std::string& from, const std::string& to)
+{
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at))
+  {
+    text.replace(at, from.size(), to);
+    at += to.size();
+  }
+}
 
 /// A shader that discards makes llvmpipe blend pixels which failed the early depth test, too; one
 /// that leaves a fragment without opacity does not. Only in main() itself, where `return` can stand
@@ -32,99 +47,151 @@ void ReplaceDiscard(std::string& shader)
     shader.substr(end);
 }
 
-/// Batcher's odd-even merge sort, as compare-exchanges of registers. For sizes that are no power of
-/// two it is the network of the next one without the exchanges beyond the size, where nothing that
-/// sorts before could be.
-void WriteSortingNetwork(std::ostream& os, int size)
+/// What mappers and other passes write: the first colour becomes oitFragColor, all others variables,
+/// whose declarations are returned. VTK names an output gl_FragData[i], and fragOutputI once it has
+/// looked at the text; others may have declared outputs of their own.
+std::string ReplaceOutputs(std::string& shader)
 {
-  for (int p = 1; p < size; p *= 2)
+  std::string variables = "vec4 oitFragColor;\n";
+  Replace(shader, "gl_FragData[0]", "oitFragColor");
+  Replace(shader, "fragOutput0", "oitFragColor");
+  static const std::regex numbered(R"((?:gl_FragData\[\s*(\d+)\s*\]|\bfragOutput(\d+)\b))");
+  std::set<std::string> numbers;
+  for (std::sregex_iterator it(shader.begin(), shader.end(), numbered), end; it != end; ++it)
   {
-    for (int k = p; k >= 1; k /= 2)
+    numbers.insert((*it)[1].matched ? (*it)[1].str() : (*it)[2].str());
+  }
+  if (!numbers.empty())
+  {
+    shader = std::regex_replace(shader, numbered, "oitFragData$1$2");
+  }
+  for (const std::string& number : numbers)
+  {
+    variables += "vec4 oitFragData" + number + ";\n";
+  }
+  static const std::regex declared(
+    R"((^|\n)[ \t]*(?:layout\s*\([^)]*\)\s*)?out\s+((?:[a-z]+p\s+)?\w+\s+\w+\s*;))");
+  shader = std::regex_replace(shader, declared, "$1$2");
+  return variables;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkOITShaderText::vtkOITShaderText(std::initializer_list<const char*> files)
+{
+  for (const char* file : files)
+  {
+    this->Stage += file;
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkOITShaderText& vtkOITShaderText::Require(std::initializer_list<const char*> extensions)
+{
+  for (const char* name : extensions)
+  {
+    if (std::find(this->Extensions.begin(), this->Extensions.end(), name) == this->Extensions.end())
     {
-      for (int j = k % p; j + k < size; j += 2 * k)
-      {
-        for (int i = j; i < j + k && i + k < size; ++i)
-        {
-          if (i / (2 * p) == (i + k) / (2 * p))
-          {
-            os << "OIT_COMPARE_EXCHANGE(" << i << ", " << i + k << ")\n";
-          }
-        }
-      }
+      this->Extensions.emplace_back(name);
     }
   }
-}
-
-/// The macro for each of the registers from `first` up to `end`.
-void WriteForEach(std::ostream& os, const char* macro, int first, int end)
-{
-  for (int i = first; i < end; ++i)
-  {
-    os << macro << "(" << i << ")\n";
-  }
-}
-
-void WriteTies(std::ostream& os, int size)
-{
-  for (int i = 0; i + 1 < size; ++i)
-  {
-    os << "OIT_NOTE_TIE(" << i << ", " << i + 1 << ")\n";
-  }
-}
+  return *this;
 }
 
 //------------------------------------------------------------------------------
-std::string vtkOITRequireExtensions(std::initializer_list<const char*> names)
+vtkOITShaderText& vtkOITShaderText::Define(const char* name, bool isDefined)
 {
-  std::string text;
-  for (const char* name : names)
-  {
-    text += std::string("#extension ") + name + " : require\n";
-  }
-  return text;
+  this->Definitions += isDefined ? "#define " + std::string(name) + "\n" : "";
+  return *this;
 }
 
 //------------------------------------------------------------------------------
-std::string vtkOITRepeat(const char* macro, int count)
+vtkOITShaderText& vtkOITShaderText::Define(const char* name, int value)
+{
+  this->Definitions += "#define " + std::string(name) + " " + std::to_string(value) + "\n";
+  return *this;
+}
+
+//------------------------------------------------------------------------------
+vtkOITShaderText& vtkOITShaderText::Declare(const std::string& line)
+{
+  this->Declarations += line + "\n";
+  return *this;
+}
+
+//------------------------------------------------------------------------------
+vtkOITShaderText& vtkOITShaderText::Insert(const char* place, const std::string& text)
+{
+  Replace(this->Stage, std::string("//VTK::OIT::") + place + "\n", text + "\n");
+  return *this;
+}
+
+//------------------------------------------------------------------------------
+vtkOITShaderText& vtkOITShaderText::InsertRepeated(const char* place, const char* macro, int count)
 {
   std::string text;
   for (int i = 0; i < count; ++i)
   {
     text += std::string(macro) + "(" + std::to_string(i) + ")\n";
   }
+  return this->Insert(place, text);
+}
+
+//------------------------------------------------------------------------------
+vtkOITShaderText& vtkOITShaderText::TestDepthEarly()
+{
+  this->EarlyTests = true;
+  return *this;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITShaderText::GetTop(bool testsDepthEarly, bool writesDepth) const
+{
+  std::string text;
+  for (const std::string& name : this->Extensions)
+  {
+    text += "#extension " + name + " : require\n";
+  }
+  text += std::string(vtkOITConstantsText) + "\n";
+  text += writesDepth ? "#define OIT_WRITES_DEPTH\n" : "";
+  text += this->Definitions + this->Declarations;
+  text += testsDepthEarly ? "layout(early_fragment_tests) in;\n" : "";
   return text;
 }
 
 //------------------------------------------------------------------------------
-bool vtkOITReplace(std::string& text, const std::string& from, const std::string& to)
+std::string vtkOITShaderText::GetText() const
 {
-  bool found = false;
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at))
-  {
-    text.replace(at, from.size(), to);
-    at += to.size();
-    found = true;
-  }
-  return found;
+  std::string text = this->Stage;
+  Replace(text, Top, std::string(Top) + "\n" + this->GetTop(this->EarlyTests, false));
+  return text;
 }
 
 //------------------------------------------------------------------------------
-bool vtkOITWrapFragmentShader(
-  std::string& shader, const std::string& header, const std::string& stage)
+bool vtkOITShaderText::Wrap(std::string& mapperShader) const
 {
   static const std::regex mainFunction(R"(\bvoid\s+main\s*\(\s*(void)?\s*\))");
-  if (!std::regex_search(shader, mainFunction))
+  if (!std::regex_search(mapperShader, mainFunction))
   {
     return false;
   }
-  shader = std::regex_replace(shader, mainFunction, OITShade);
-  ReplaceDiscard(shader);
-  vtkOITReplace(shader, "gl_FragData[0]", "oitFragColor");
-  vtkOITReplace(shader, "fragOutput0", "oitFragColor");
-  vtkOITReplace(
-    shader, "//VTK::System::Dec", "//VTK::System::Dec\n" + header + "vec4 oitFragColor;\n");
-  shader += "\n" + stage;
+  const bool writesDepth = vtkOITWritesDepth(mapperShader);
+  mapperShader = std::regex_replace(mapperShader, mainFunction, OITShade);
+  ReplaceDiscard(mapperShader);
+  const std::string variables = ReplaceOutputs(mapperShader);
+  Replace(mapperShader, Top,
+    std::string(Top) + "\n" + this->GetTop(this->EarlyTests && !writesDepth, writesDepth) +
+      variables);
+  mapperShader += "\n" + this->Stage;
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITShaderText::operator==(const vtkOITShaderText& other) const
+{
+  return this->Extensions == other.Extensions && this->Definitions == other.Definitions &&
+    this->Declarations == other.Declarations && this->Stage == other.Stage &&
+    this->EarlyTests == other.EarlyTests;
 }
 
 //------------------------------------------------------------------------------
@@ -141,47 +208,4 @@ bool vtkOITWritesDepth(const std::string& fragmentShader)
     }
   }
   return false;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkOITRegisterResolve(int size)
-{
-  std::ostringstream os;
-  WriteForEach(os, "OIT_DECLARE", 0, size);
-  WriteForEach(os, "OIT_LOAD", 0, size);
-  WriteSortingNetwork(os, size);
-  WriteTies(os, size);
-  WriteForEach(os, "OIT_BLEND", 0, size);
-  return os.str();
-}
-
-//------------------------------------------------------------------------------
-std::string vtkOITRegisterSelect(int size, int kept)
-{
-  std::ostringstream os;
-  WriteForEach(os, "OIT_DECLARE", 0, size);
-  os << "do\n{\nif (count == 0u)\n{\n";
-  WriteForEach(os, "OIT_LOAD", 0, kept);
-  os << "}\n";
-  WriteForEach(os, "OIT_LOAD", kept, size);
-  WriteSortingNetwork(os, size);
-  os << "thin = 1.0;\n";
-  WriteForEach(os, "OIT_THIN", 0, kept - 1);
-  os << "} while (node != OIT_END && (count < " << size << "u || thin <= oitThreshold));\n"
-     << "isLong = count > " << size << "u;\n";
-  WriteForEach(os, "OIT_FORGET", kept, size);
-  WriteTies(os, size);
-  WriteForEach(os, "OIT_BLEND", 0, size);
-  return os.str();
-}
-
-//------------------------------------------------------------------------------
-std::string vtkOITRegisterSort(int size)
-{
-  std::ostringstream os;
-  WriteForEach(os, "OIT_LOAD", 0, size);
-  WriteSortingNetwork(os, size);
-  os << "OITFragment last = f0;\n";
-  WriteForEach(os, "OIT_LINK", 0, size);
-  return os.str();
 }

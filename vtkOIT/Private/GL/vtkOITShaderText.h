@@ -5,43 +5,64 @@
 
 #include <initializer_list>
 #include <string>
-
-/// Lines `#extension NAME : require`.
-std::string vtkOITRequireExtensions(std::initializer_list<const char*> names);
-
-/// Replaces every `from`; true when there was one.
-bool vtkOITReplace(std::string& text, const std::string& from, const std::string& to);
-
-/// Lines `macro(0)`, `macro(1)` and so on.
-std::string vtkOITRepeat(const char* macro, int count);
+#include <vector>
 
 /**
- * Turns the main() of a VTK fragment shader into `void oitShade()`, its colour output into the
- * variable `vec4 oitFragColor`, and appends `stage`, which must bring a new main(). `header` goes
- * to the top, after #version. Works with any shader text, also an application's own, because it
- * relies on none of VTK's substitution sites inside of main(). False when there is no main().
+ * The text of a stage, put together from GLSL files: what stands at the top (extensions,
+ * definitions, the constants that C++ and GLSL share), and the parts that are inserted at places
+ * `//VTK::OIT::Name` of the file.
+ *
+ * GetText() is for stages on pixels, whose files have a `//VTK::System::Dec`; Wrap() for stages on
+ * fragments of props, which are made from the mapper's own shader.
  */
-bool vtkOITWrapFragmentShader(
-  std::string& shader, const std::string& header, const std::string& stage);
+class vtkOITShaderText
+{
+public:
+  vtkOITShaderText(std::initializer_list<const char*> files);
+
+  /// Asks for extensions by name.
+  vtkOITShaderText& Require(std::initializer_list<const char*> extensions);
+  /// `#define name value`, when `isDefined`.
+  ///@{
+  vtkOITShaderText& Define(const char* name, bool isDefined = true);
+  vtkOITShaderText& Define(const char* name, int value);
+  ///@}
+  /// A line for the top that is no definition, after those.
+  vtkOITShaderText& Declare(const std::string& line);
+  /// In place of `//VTK::OIT::place`.
+  vtkOITShaderText& Insert(const char* place, const std::string& text);
+  /// Lines `macro(0)`, `macro(1)` and so on in place of `//VTK::OIT::place`.
+  vtkOITShaderText& InsertRepeated(const char* place, const char* macro, int count);
+  /// The depth test runs before the shader, wherever the mapper's shader does not write gl_FragDepth:
+  /// where it would not by itself because the shader reads the framebuffer, or has side effects.
+  vtkOITShaderText& TestDepthEarly();
+
+  /// The fragment or vertex shader of a stage on pixels.
+  std::string GetText() const;
+
+  /**
+   * Turns the main() of a mapper's fragment shader into `void oitShade()`, its colour output into
+   * the variable `vec4 oitFragColor`, and appends this stage, which must bring a new main().
+   * Its other outputs, those of passes around ours included, become variables that nobody reads.
+   * OIT_WRITES_DEPTH is defined where the mapper's shader writes gl_FragDepth. Works with any
+   * shader text, also an application's own, because it relies on none of VTK's substitution sites
+   * inside of main(). False when there is no main().
+   */
+  bool Wrap(std::string& mapperShader) const;
+
+  bool operator==(const vtkOITShaderText& other) const;
+
+private:
+  std::string GetTop(bool testsDepthEarly, bool writesDepth) const;
+
+  std::vector<std::string> Extensions;
+  std::string Definitions;
+  std::string Declarations;
+  std::string Stage;
+  bool EarlyTests = false;
+};
 
 /// True when the shader assigns gl_FragDepth.
 bool vtkOITWritesDepth(const std::string& fragmentShader);
-
-/**
- * The text `//VTK::OIT::Registers` of vtkOITABufferResolveFS.glsl: loads, sorts and blends up
- * to `size` fragments in registers.
- */
-std::string vtkOITRegisterResolve(int size);
-
-/**
- * The text `//VTK::OIT::Registers` of vtkOITABufferSecondChanceFS.glsl: loads, sorts and blends
- * up to `size` fragments in registers; of more, the `kept` nearest, while those behind are not
- * seen.
- */
-std::string vtkOITRegisterSelect(int size, int kept);
-
-/// The text `//VTK::OIT::SortRun` of vtkOITABufferSortFS.glsl: loads, sorts and links `size`
-/// nodes.
-std::string vtkOITRegisterSort(int size);
 
 #endif

@@ -74,46 +74,47 @@ bool BindWithDepth(vtkOpenGLState* state, GLuint framebuffer)
   return true;
 }
 
-/// Whether that many colours can be drawn into; binds `before` where not.
-bool DrawInto(vtkOpenGLState* state, int numberOfColors, GLint before)
+/// Draws into that many colours; binds `before` where that is not possible.
+vtkOITFailure DrawInto(vtkOpenGLState* state, int numberOfColors, GLint before)
 {
   vtkOITFramebuffer::DrawInto(numberOfColors);
   if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE)
   {
-    return true;
+    return {};
   }
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, before);
-  return false;
+  return vtkOITRefuseFramebuffer();
 }
 }
 
 //------------------------------------------------------------------------------
-bool vtkOITBindWithSharedDepth(
+vtkOITFailure vtkOITBindWithSharedDepth(
   vtkOpenGLState* state, GLuint framebuffer, const vtkOITAttachment& color)
 {
   const GLint before = GetBound();
   if (before == 0 || !BindWithDepth(state, framebuffer))
   {
-    return false;
+    return vtkOITRefuseFramebuffer();
   }
   vtkOITAttachTo(GL_COLOR_ATTACHMENT0, color);
   return DrawInto(state, 1, before);
 }
 
 //------------------------------------------------------------------------------
-bool vtkOITBindBeside(vtkOpenGLState* state, GLuint framebuffer, const vtkOITAttachment& color)
+vtkOITFailure vtkOITBindBeside(
+  vtkOpenGLState* state, GLuint framebuffer, const vtkOITAttachment& color)
 {
   const GLint before = GetBound();
   GLint buffer = GL_NONE;
   glGetIntegerv(GL_DRAW_BUFFER0, &buffer);
   if (before == 0 || buffer == GL_NONE)
   {
-    return false;
+    return vtkOITRefuseFramebuffer();
   }
   const Attached own(static_cast<GLenum>(buffer));
   if (!own.IsShareable() || !BindWithDepth(state, framebuffer))
   {
-    return false;
+    return vtkOITRefuseFramebuffer();
   }
   own.AttachTo(GL_COLOR_ATTACHMENT0);
   vtkOITAttachTo(GL_COLOR_ATTACHMENT1, color);

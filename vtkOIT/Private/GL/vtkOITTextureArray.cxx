@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/GL/vtkOITTextureArray.h"
 
+#include "Private/GL/vtkOITAllocation.h"
+
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+
+#include <string>
 
 namespace
 {
@@ -45,13 +49,14 @@ int vtkOITTextureArray::GetBytesPerTexel(GLenum format)
 }
 
 //------------------------------------------------------------------------------
-bool vtkOITTextureArray::Reserve(
+vtkOITFailure vtkOITTextureArray::Reserve(
   vtkOpenGLRenderWindow* window, int width, int height, int layers, GLenum format)
 {
-  if (this->Attach(window) && this->Texture && this->Format == format && this->Layers == layers &&
-    this->Width >= width && this->Height >= height)
+  this->New = !(this->Attach(window) && this->Texture && this->Format == format &&
+    this->Layers == layers && this->Width >= width && this->Height >= height);
+  if (!this->New)
   {
-    return true;
+    return {};
   }
   this->Release();
   this->Attach(window);
@@ -63,13 +68,20 @@ bool vtkOITTextureArray::Reserve(
   this->Serial = vtkOITAttachment::MakeSerial();
   glBindTexture(GL_TEXTURE_2D_ARRAY, this->Texture);
   const Upload upload = GetUpload(format);
+  const vtkOITAllocation allocation;
   glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(format), width, height, layers, 0,
     upload.Format, upload.Type, nullptr);
+  vtkOITFailure failure = allocation.Check(std::to_string(layers) + " layers of " +
+    std::to_string(width) + " x " + std::to_string(height) + " pixels");
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
-  return false;
+  if (failure)
+  {
+    this->Release();
+  }
+  return failure;
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #ifndef vtkOITTextureArray_h
 #define vtkOITTextureArray_h
 
+#include "Private/Frame/vtkOITFailure.h"
 #include "Private/GL/vtkOITFramebuffer.h"
 
 #include <cstdint>
@@ -18,9 +19,13 @@ class vtkOITTextureArray : public vtkOITContextObjects
 public:
   ~vtkOITTextureArray() override { this->Release(); }
 
-  /// At least so many pixels, of exactly this format and number of layers. Contents are undefined
-  /// afterwards when the answer is false: the texture is a new one.
-  bool Reserve(vtkOpenGLRenderWindow* window, int width, int height, int layers, GLenum format);
+  /// At least so many pixels, of exactly this format and number of layers. The contents of a new
+  /// texture are undefined; see IsNew().
+  vtkOITFailure Reserve(
+    vtkOpenGLRenderWindow* window, int width, int height, int layers, GLenum format);
+
+  /// Whether the last Reserve() has made a new texture.
+  bool IsNew() const { return this->New; }
 
   /// For drawing into it.
   vtkOITAttachment GetLayer(int layer) const { return { this->Texture, layer, this->Serial }; }
@@ -46,6 +51,7 @@ private:
   int Width = 0;
   int Height = 0;
   int Layers = 0;
+  bool New = false;
 };
 
 #endif

@@ -3,7 +3,8 @@
 #include "Private/Peeling/vtkOITBucketPeeler.h"
 
 #include "Private/Frame/vtkOITFrame.h"
-#include "Private/GL/vtkOITShaderText.h"
+#include "Private/Frame/vtkOITSettings.h"
+#include "glsl/Common/vtkOITConstants.h"
 
 #include "vtkOITBucketEqualizeFS.h"
 #include "vtkOITBucketFindFS.h"
@@ -19,26 +20,56 @@
 
 namespace
 {
-constexpr int Buffers = 8;       // draw buffers, as in the paper
-constexpr int SlotsPerPass = 4;  // 6 channels each
-constexpr int PassesPerPeel = 2; // of colours
-constexpr int DepthsUnit = vtkOITPeelState::GatheredUnit;
-constexpr int SlotsUnit = vtkOITPeelState::GatheredUnit + 1;
-constexpr int BoundsUnit = vtkOITPeelState::StateUnit - 1;
+constexpr int Buffers = OIT_BUCKET_BUFFERS; // draw buffers, as in the paper
+constexpr int PassesPerPeel = 2;            // of colours, four slots of 6 channels each
+
+/// Clears all layers of an array that is bound.
+void Clear(float red, float green, float blue, float alpha)
+{
+  const float values[4] = { red, green, blue, alpha };
+  for (int i = 0; i < Buffers; ++i)
+  {
+    glClearBufferfv(GL_COLOR, i, values);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
-void vtkOITBucketPeeler::Prepare(const vtkOITFrame& frame, bool)
+void vtkOITBucketPeeler::Prepare(const vtkOITFrame& frame, const vtkOITSettings& settings)
 {
+  this->UsedDivision = settings.BucketMode == 1 ? Division::Pairs
+    : settings.BucketMode == 2                  ? Division::Adaptive
+                                                : Division::Uniform;
+  this->HasExactRange = settings.HasExactDepthRange;
+  this->IsSingleShot = settings.MaximumNumberOfPeels == 1;
+  this->Interval = vtkOITEyeDepthInterval::Find(frame);
+  this->IsHistogram = false;
   const bool inPlace = vtkOITPeelState::CanWorkInPlace(frame);
-  if (this->UsedDivision != this->WantedDivision || this->InPlace != inPlace)
+  this->HistogramGather.SetStage(this->MakeGather(vtkOITBucketHistogramFS).Define("OIT_HISTOGRAM"));
+  vtkOITShaderText text = this->MakeGather(vtkOITBucketGatherFS);
+  text.Define("OIT_CLAMP_COLOR", frame.Target.ClampsColor);
+  if (this->Gather.SetStage(text) || this->InPlace != inPlace)
   {
     this->Release();
-    this->UsedDivision = this->WantedDivision;
     this->InPlace = inPlace;
-    this->ShaderTime.Modified();
   }
-  this->Interval = vtkOITEyeDepthInterval::Find(frame);
+}
+
+//------------------------------------------------------------------------------
+vtkOITShaderText vtkOITBucketPeeler::MakeGather(const char* file) const
+{
+  vtkOITShaderText text({ vtkOITFragmentFS, vtkOITBucketFindFS, file });
+  this->AddDivision(text);
+  return text;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITBucketPeeler::AddDivision(vtkOITShaderText& text) const
+{
+  text.Require({ "GL_ARB_explicit_attrib_location" });
+  text.Define("OIT_PAIRS", this->UsedDivision == Division::Pairs);
+  text.Define("OIT_ADAPTIVE", this->UsedDivision == Division::Adaptive);
+  text.Define("OIT_BUCKETS", this->UsedDivision == Division::Pairs ? 16 : 32);
 }
 
 //------------------------------------------------------------------------------
@@ -50,7 +81,7 @@ vtkOITPeelState::Layout vtkOITBucketPeeler::GetLayout(const vtkOITFrame&) const
 //------------------------------------------------------------------------------
 int vtkOITBucketPeeler::GetBytesPerPixel(const vtkOITFrame&) const
 {
-  const int arrays = this->WantedDivision == Division::Adaptive ? 5 : 3;
+  const int arrays = this->UsedDivision == Division::Adaptive ? 5 : 3;
   return arrays * Buffers * vtkOITTextureArray::GetBytesPerTexel(GL_RGBA32F);
 }
 
@@ -63,240 +94,222 @@ std::int64_t vtkOITBucketPeeler::GetSizeInBytes() const
 }
 
 //------------------------------------------------------------------------------
-void vtkOITBucketPeeler::Begin(const vtkOITPeelContext& context)
+vtkOITFailure vtkOITBucketPeeler::Begin(const vtkOITPeelContext& context)
 {
+  const bool isAdaptive = this->UsedDivision == Division::Adaptive;
+  vtkOITFailure failure;
   const auto reserve = [&](vtkOITTextureArray& array, GLenum format)
   {
-    array.Reserve(
-      context.Frame.Window, context.State.GetWidth(), context.State.GetHeight(), Buffers, format);
+    if (!failure)
+    {
+      failure = array.Reserve(
+        context.Frame.Window, context.State.GetWidth(), context.State.GetHeight(), Buffers, format);
+    }
   };
   reserve(this->Depths, GL_RGBA32F);
   reserve(this->Slots, GL_RGBA32F);
   reserve(this->Sums, GL_RGBA32F);
-  if (this->UsedDivision == Division::Adaptive)
+  if (isAdaptive)
   {
     reserve(this->Histogram, GL_RGBA32UI);
     reserve(this->BucketBounds, GL_RGBA32F);
   }
   this->IsRest = false;
-}
-
-//------------------------------------------------------------------------------
-// A mapper's shader has either integer outputs or floats, so the props' shaders are exchanged.
-void vtkOITBucketPeeler::ChooseHistogramShader(bool isHistogram)
-{
-  if (isHistogram != this->IsHistogram)
-  {
-    this->IsHistogram = isHistogram;
-    this->ShaderTime.Modified();
-  }
+  return failure;
 }
 
 //------------------------------------------------------------------------------
 // A screen stage that writes all buffers of one array from another.
-void vtkOITBucketPeeler::DrawLayers(const vtkOITPeelContext& context, vtkOITTextureArray& layers,
-  vtkOITScreenStage& stage, const char* text, const char* sampler, const vtkOITTextureArray& source)
+vtkOITFailure vtkOITBucketPeeler::DrawLayers(const vtkOITPeelContext& context,
+  vtkOITTextureArray& layers, vtkOITScreenStage& stage, const char* file, const char* sampler,
+  const vtkOITTextureArray& source)
 {
   vtkOpenGLState* gl = context.Frame.GLState;
-  this->ScreenFramebuffer.Bind(context.Frame.Window, layers.GetAllLayers());
+  if (vtkOITFailure failure =
+        this->ScreenFramebuffer.Bind(context.Frame.Window, layers.GetAllLayers()))
+  {
+    return failure;
+  }
   vtkOpenGLState::ScopedglEnableDisable cull(gl, GL_CULL_FACE);
   vtkOpenGLState::ScopedglEnableDisable depth(gl, GL_DEPTH_TEST);
   gl->vtkglDisable(GL_CULL_FACE);
   gl->vtkglDisable(GL_DEPTH_TEST);
   gl->vtkglDisable(GL_BLEND);
-  stage.Render(
+  return stage.Render(
     context.Frame.Window, vtkOITFullScreenVS,
-    [this, text]
+    [this, file]
     {
-      std::string shader = text;
-      vtkOITReplace(shader, "//VTK::System::Dec",
-        "//VTK::System::Dec\n" + vtkOITRequireExtensions({ "GL_ARB_explicit_attrib_location" }) +
-          this->GetDefinitions());
-      return shader;
+      vtkOITShaderText text({ file });
+      this->AddDivision(text);
+      return text.GetText();
     },
     [&](vtkShaderProgram* program)
     {
-      source.Bind(gl, DepthsUnit);
-      program->SetUniformi(sampler, DepthsUnit);
+      source.Bind(gl, OIT_UNIT_GATHERED);
+      program->SetUniformi(sampler, OIT_UNIT_GATHERED);
     });
 }
 
 //------------------------------------------------------------------------------
-void vtkOITBucketPeeler::GatherHistogram(const vtkOITPeelContext& context)
+vtkOITFailure vtkOITBucketPeeler::GatherHistogram(const vtkOITPeelContext& context)
 {
-  this->ChooseHistogramShader(true);
-  context.State.BindForGather(this->GatherFramebuffer, this->Histogram.GetAllLayers(),
-    []
-    {
-      const GLuint nothing[4] = { 0, 0, 0, 0 };
-      for (int i = 0; i < Buffers; ++i)
+  vtkOITFailure failure =
+    context.State.BindForGather(this->GatherFramebuffer, this->Histogram.GetAllLayers(),
+      []
       {
-        glClearBufferuiv(GL_COLOR, i, nothing);
-      }
-    });
+        const GLuint nothing[4] = { 0, 0, 0, 0 };
+        for (int i = 0; i < Buffers; ++i)
+        {
+          glClearBufferuiv(GL_COLOR, i, nothing);
+        }
+      });
+  if (failure)
+  {
+    return failure;
+  }
   context.Frame.GLState->vtkglDisable(GL_BLEND);
   glEnable(GL_COLOR_LOGIC_OP);
   glLogicOp(GL_OR);
+  this->IsHistogram = true;
   context.RenderGeometry();
+  this->IsHistogram = false;
   glDisable(GL_COLOR_LOGIC_OP);
-  glLogicOp(GL_COPY);
-  this->DrawLayers(context, this->BucketBounds, this->EqualizeStage, vtkOITBucketEqualizeFS,
+  return this->DrawLayers(context, this->BucketBounds, this->EqualizeStage, vtkOITBucketEqualizeFS,
     "oitHistogram", this->Histogram);
-  this->ChooseHistogramShader(false);
 }
 
 //------------------------------------------------------------------------------
-void vtkOITBucketPeeler::GatherDepths(const vtkOITPeelContext& context)
+vtkOITFailure vtkOITBucketPeeler::GatherDepths(const vtkOITPeelContext& context)
 {
   vtkOpenGLState* gl = context.Frame.GLState;
   this->IsColorStage = false;
-  context.State.BindForGather(this->GatherFramebuffer, this->Depths.GetAllLayers(),
-    []
-    {
-      const float nothing[4] = { -2.0f, -2.0f, -2.0f, -2.0f };
-      for (int i = 0; i < Buffers; ++i)
-      {
-        glClearBufferfv(GL_COLOR, i, nothing);
-      }
-    });
+  if (vtkOITFailure failure = context.State.BindForGather(this->GatherFramebuffer,
+        this->Depths.GetAllLayers(), [] { Clear(-2.0f, -2.0f, -2.0f, -2.0f); }))
+  {
+    return failure;
+  }
   gl->vtkglEnable(GL_BLEND);
   gl->vtkglBlendEquationSeparate(GL_MAX, GL_MAX);
   gl->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   context.RenderGeometry();
-  this->DrawLayers(
+  return this->DrawLayers(
     context, this->Slots, this->SlotsStage, vtkOITBucketSlotsFS, "oitDepths", this->Depths);
 }
 
 //------------------------------------------------------------------------------
-void vtkOITBucketPeeler::GatherColors(const vtkOITPeelContext& context, int slotLayer, bool isLast)
+vtkOITFailure vtkOITBucketPeeler::GatherColors(
+  const vtkOITPeelContext& context, int slotLayer, bool isLast)
 {
   vtkOpenGLState* gl = context.Frame.GLState;
   this->IsColorStage = true;
   this->SlotLayer = slotLayer;
-  context.State.BindForGather(this->GatherFramebuffer, this->Sums.GetAllLayers(),
-    []
-    {
-      const float nothing[4] = { 0.0f, 0.0f, 0.0f, -2.0f };
-      for (int i = 0; i < Buffers; ++i)
-      {
-        glClearBufferfv(GL_COLOR, i, nothing);
-      }
-    });
+  if (vtkOITFailure failure = context.State.BindForGather(
+        this->GatherFramebuffer, this->Sums.GetAllLayers(), [] { Clear(0.0f, 0.0f, 0.0f, -2.0f); }))
+  {
+    return failure;
+  }
   gl->vtkglEnable(GL_BLEND);
   gl->vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_MAX);
   gl->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   context.RenderGeometry();
-  context.State.Resolve(
+  vtkOITFailure failure = context.State.Resolve(
     this->ResolveStage,
-    [&] { return context.State.AssembleResolve(vtkOITBucketResolveFS, this->GetDefinitions()); },
+    [this]
+    {
+      vtkOITShaderText text({ vtkOITBucketResolveFS });
+      this->AddDivision(text);
+      return text;
+    },
     [&](vtkShaderProgram* program)
     {
-      this->Sums.Bind(gl, DepthsUnit);
-      this->Slots.Bind(gl, SlotsUnit);
-      program->SetUniformi("oitSums", DepthsUnit);
-      program->SetUniformi("oitSlots", SlotsUnit);
+      this->Sums.Bind(gl, OIT_UNIT_GATHERED);
+      this->Slots.Bind(gl, OIT_UNIT_DEPTH);
+      program->SetUniformi("oitSums", OIT_UNIT_GATHERED);
+      program->SetUniformi("oitSlots", OIT_UNIT_DEPTH);
       program->SetUniformi("oitSlotLayer", slotLayer);
       program->SetUniformi("oitIsLastPass", isLast ? 1 : 0);
       program->SetUniformi("oitIsSingleShot", this->IsSingleShot && !this->IsRest ? 1 : 0);
       program->SetUniformi("oitCountsLost", this->CountsLost ? 1 : 0);
       program->SetUniformi("oitRest", this->IsRest ? 1 : 0);
     });
-  vtkOITTextureArray::Unbind(gl, SlotsUnit);
+  vtkOITTextureArray::Unbind(gl, OIT_UNIT_DEPTH);
+  return failure;
 }
 
 //------------------------------------------------------------------------------
-// Nothing is captured, so a colour pass finds the bounds of all that is left.
-void vtkOITBucketPeeler::EmptySlots(const vtkOITPeelContext& context)
+// Nothing is captured, so a colour pass finds the bounds of all that is left, or sums it all up.
+vtkOITFailure vtkOITBucketPeeler::GatherColorsOfAll(const vtkOITPeelContext& context)
 {
-  const auto clear = [&](const vtkOITTextureArray& array, float value)
+  vtkOITFailure failure = this->EmptySlots(context);
+  this->LastSlotLayer = Buffers - 1;
+  return failure ? failure : this->GatherColors(context, 0, true);
+}
+
+//------------------------------------------------------------------------------
+vtkOITFailure vtkOITBucketPeeler::EmptySlots(const vtkOITPeelContext& context)
+{
+  if (vtkOITFailure failure =
+        this->ScreenFramebuffer.Bind(context.Frame.Window, this->Slots.GetAllLayers()))
   {
-    this->ScreenFramebuffer.Bind(context.Frame.Window, array.GetAllLayers());
-    const float values[4] = { value, value, value, value };
-    for (int i = 0; i < Buffers; ++i)
-    {
-      glClearBufferfv(GL_COLOR, i, values);
-    }
-  };
-  clear(this->Slots, 4.0f);
-  clear(this->Depths, -2.0f);
+    return failure;
+  }
+  Clear(4.0f, 4.0f, 4.0f, 4.0f);
+  if (vtkOITFailure failure =
+        this->ScreenFramebuffer.Bind(context.Frame.Window, this->Depths.GetAllLayers()))
+  {
+    return failure;
+  }
+  Clear(-2.0f, -2.0f, -2.0f, -2.0f);
+  return {};
 }
 
 //------------------------------------------------------------------------------
-void vtkOITBucketPeeler::Peel(const vtkOITPeelContext& context, int number)
+vtkOITFailure vtkOITBucketPeeler::Peel(const vtkOITPeelContext& context, int number)
 {
+  vtkOITFailure failure;
   if (number < this->GetNumberOfSetUpPeels())
   {
-    this->EmptySlots(context);
-    this->LastSlotLayer = Buffers - 1;
     const bool isSingleShot = this->IsSingleShot;
     this->IsSingleShot = false;
-    this->GatherColors(context, 0, true);
+    failure = this->GatherColorsOfAll(context);
     this->IsSingleShot = isSingleShot;
-    return;
+    return failure;
   }
   if (this->UsedDivision == Division::Adaptive)
   {
-    this->GatherHistogram(context);
+    failure = this->GatherHistogram(context);
   }
   const int passes = this->IsSingleShot ? Buffers : PassesPerPeel;
   this->LastSlotLayer = passes - 1;
-  this->GatherDepths(context);
-  for (int pass = 0; pass < passes; ++pass)
+  if (!failure)
   {
-    this->GatherColors(context, pass, pass == passes - 1);
+    failure = this->GatherDepths(context);
   }
-  if (this->IsSingleShot)
+  for (int pass = 0; pass < passes && !failure; ++pass)
+  {
+    failure = this->GatherColors(context, pass, pass == passes - 1);
+  }
+  if (this->IsSingleShot && !failure)
   {
     this->CountsLost = true;
-    this->GatherColors(context, 0, true);
+    failure = this->GatherColors(context, 0, true);
     this->CountsLost = false;
   }
+  return failure;
 }
 
 //------------------------------------------------------------------------------
-void vtkOITBucketPeeler::PeelRest(const vtkOITPeelContext& context)
+// After a single shot what is left is lost, and counted.
+vtkOITFailure vtkOITBucketPeeler::PeelRest(const vtkOITPeelContext& context)
 {
   if (this->IsSingleShot)
   {
-    return; // what is left is lost, and counted
+    return {};
   }
-  this->EmptySlots(context);
-  this->LastSlotLayer = Buffers - 1;
   this->IsRest = true;
-  this->GatherColors(context, 0, true);
+  vtkOITFailure failure = this->GatherColorsOfAll(context);
   this->IsRest = false;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkOITBucketPeeler::GetDefinitions() const
-{
-  switch (this->UsedDivision)
-  {
-    case Division::Pairs:
-      return "#define OIT_PAIRS\n#define OIT_BUCKETS 16\n";
-    case Division::Adaptive:
-      return "#define OIT_ADAPTIVE\n#define OIT_BUCKETS 32\n";
-    default:
-      return "#define OIT_BUCKETS 32\n";
-  }
-}
-
-//------------------------------------------------------------------------------
-bool vtkOITBucketPeeler::WrapGather(std::string& fragmentShader) const
-{
-  std::string header =
-    vtkOITRequireExtensions({ "GL_ARB_explicit_attrib_location" }) + this->GetDefinitions();
-  if (this->IsHistogram)
-  {
-    header += "#define OIT_HISTOGRAM\n";
-  }
-  if (vtkOITWritesDepth(fragmentShader))
-  {
-    header += "#define OIT_WRITES_DEPTH\n";
-  }
-  return vtkOITWrapFragmentShader(fragmentShader, header,
-    std::string(vtkOITFragmentFS) + vtkOITBucketFindFS +
-      (this->IsHistogram ? vtkOITBucketHistogramFS : vtkOITBucketGatherFS));
+  return failure;
 }
 
 //------------------------------------------------------------------------------
@@ -314,15 +327,15 @@ void vtkOITBucketPeeler::SetUniforms(
     this->UsedDivision == Division::Adaptive ? this->BucketBounds : this->Slots;
   if (this->UsedDivision == Division::Adaptive)
   {
-    bounds.Bind(gl, BoundsUnit);
-    program->SetUniformi("oitBucketBounds", BoundsUnit);
+    bounds.Bind(gl, OIT_UNIT_BUCKET_BOUNDS);
+    program->SetUniformi("oitBucketBounds", OIT_UNIT_BUCKET_BOUNDS);
   }
   // While depths are drawn into, slots stand in for them: no texture is read and drawn into at
   // once.
-  (this->IsColorStage ? this->Depths : this->Slots).Bind(gl, DepthsUnit);
-  this->Slots.Bind(gl, SlotsUnit);
-  program->SetUniformi("oitDepths", DepthsUnit);
-  program->SetUniformi("oitSlots", SlotsUnit);
+  (this->IsColorStage ? this->Depths : this->Slots).Bind(gl, OIT_UNIT_GATHERED);
+  this->Slots.Bind(gl, OIT_UNIT_DEPTH);
+  program->SetUniformi("oitDepths", OIT_UNIT_GATHERED);
+  program->SetUniformi("oitSlots", OIT_UNIT_DEPTH);
   program->SetUniformi("oitIsColorStage", this->IsColorStage ? 1 : 0);
   program->SetUniformi("oitSlotLayer", this->SlotLayer);
   program->SetUniformi("oitLastSlotLayer", this->LastSlotLayer);

@@ -5,7 +5,6 @@
 
 #include "Private/Frame/vtkOITEyeDepthInterval.h"
 #include "Private/Peeling/vtkOITPeeler.h"
-#include "vtkTimeStamp.h"
 
 /**
  * Bucket depth peeling (Liu, Huang, Liu and Wu 2009): a geometry pass captures the depths of up to
@@ -21,47 +20,46 @@ public:
     Adaptive // up to 32, one for each of 1024 bins that has a fragment
   };
 
-  void SetDivision(Division division) { this->WantedDivision = division; }
-  /// The first peel starts from the exact depth range of each pixel, found by a geometry pass.
-  void SetHasExactRange(bool hasExactRange) { this->HasExactRange = hasExactRange; }
-  /// One peel of all 32 slots; what it does not capture is counted as lost.
-  void SetIsSingleShot(bool isSingleShot) { this->IsSingleShot = isSingleShot; }
-
   int GetNumberOfSetUpPeels() const override { return this->HasExactRange ? 1 : 0; }
-  void Prepare(const vtkOITFrame& frame, bool hasFloatColor) override;
+  void Prepare(const vtkOITFrame& frame, const vtkOITSettings& settings) override;
   vtkOITPeelState::Layout GetLayout(const vtkOITFrame& frame) const override;
   int GetBytesPerPixel(const vtkOITFrame& frame) const override;
   std::int64_t GetSizeInBytes() const override;
 
-  void Begin(const vtkOITPeelContext& context) override;
-  void Peel(const vtkOITPeelContext& context, int number) override;
-  void PeelRest(const vtkOITPeelContext& context) override;
+  vtkOITFailure Begin(const vtkOITPeelContext& context) override;
+  vtkOITFailure Peel(const vtkOITPeelContext& context, int number) override;
+  vtkOITFailure PeelRest(const vtkOITPeelContext& context) override;
 
-  bool WrapGather(std::string& fragmentShader) const override;
+  vtkOITGather& GetGather() override
+  {
+    return this->IsHistogram ? this->HistogramGather : this->Gather;
+  }
   void SetUniforms(
     vtkShaderProgram* program, vtkProp* prop, const vtkOITPeelContext& context) override;
-  vtkMTimeType GetShaderMTime() const override { return this->ShaderTime.GetMTime(); }
-
   void Release() override;
 
 private:
-  std::string GetDefinitions() const;
-  void ChooseHistogramShader(bool isHistogram);
-  void GatherHistogram(const vtkOITPeelContext& context);
-  void GatherDepths(const vtkOITPeelContext& context);
-  void GatherColors(const vtkOITPeelContext& context, int slotLayer, bool isLast);
-  void DrawLayers(const vtkOITPeelContext& context, vtkOITTextureArray& layers,
+  void AddDivision(vtkOITShaderText& text) const;
+  vtkOITShaderText MakeGather(const char* file) const;
+  vtkOITFailure GatherHistogram(const vtkOITPeelContext& context);
+  vtkOITFailure GatherDepths(const vtkOITPeelContext& context);
+  vtkOITFailure GatherColors(const vtkOITPeelContext& context, int slotLayer, bool isLast);
+  vtkOITFailure GatherColorsOfAll(const vtkOITPeelContext& context);
+  vtkOITFailure DrawLayers(const vtkOITPeelContext& context, vtkOITTextureArray& layers,
     vtkOITScreenStage& stage, const char* text, const char* sampler,
     const vtkOITTextureArray& source);
-  void EmptySlots(const vtkOITPeelContext& context);
+  vtkOITFailure EmptySlots(const vtkOITPeelContext& context);
 
-  Division WantedDivision = Division::Uniform;
   Division UsedDivision = Division::Uniform;
+  // The first peel starts from the exact depth range of each pixel, found by a geometry pass.
   bool HasExactRange = false;
+  // One peel of all 32 slots; what it does not capture is counted as lost.
   bool IsSingleShot = false;
   bool InPlace = false; // of ResolveStage's program
-  bool IsHistogram = false;
-  vtkTimeStamp ShaderTime;
+  // A mapper's shader has either integer outputs or floats.
+  vtkOITGather Gather;
+  vtkOITGather HistogramGather;
+  bool IsHistogram = false; // the one that draws
   vtkOITEyeDepthInterval Interval;
 
   // Of the geometry pass.

@@ -3,7 +3,9 @@
 #include "Private/Peeling/vtkOITDualPeeler.h"
 
 #include "Private/Frame/vtkOITFrame.h"
-#include "Private/GL/vtkOITShaderText.h"
+#include "Private/Frame/vtkOITSettings.h"
+#include "Private/Frame/vtkOITStatistics.h"
+#include "glsl/Common/vtkOITConstants.h"
 
 #include "vtkOITDualCompositeFS.h"
 #include "vtkOITDualGatherFS.h"
@@ -15,24 +17,51 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
+
 namespace
 {
-// Layers of the state.
-constexpr int StatisticsLayer = 1;
-constexpr int BoundsLayer = 2;
+// Frames in a row that need fewer layers a side, before there are fewer.
+constexpr int FramesToAgree = 3;
 }
 
 //------------------------------------------------------------------------------
-void vtkOITDualPeeler::Prepare(const vtkOITFrame&, bool hasFloatColor)
+void vtkOITDualPeeler::Prepare(const vtkOITFrame& frame, const vtkOITSettings& settings)
 {
-  const int layers = hasFloatColor ? 1 : this->WantedLayersPerSide;
-  if (this->LayersPerSide != layers || this->FloatColor != hasFloatColor)
+  this->FloatColor = settings.FloatColor;
+  this->LayersPerSide = this->FloatColor ? 1 : this->WantedLayersPerSide;
+  const int layers = this->GetNumberOfLayers();
+  vtkOITShaderText text({ vtkOITFragmentFS, "//VTK::OIT::Layers\n", vtkOITDualGatherFS });
+  text.Require({ "GL_ARB_explicit_attrib_location", "GL_EXT_shader_framebuffer_fetch",
+    "GL_ARB_shader_image_load_store" });
+  text.TestDepthEarly(); // reading the framebuffer would end it
+  text.Define("OIT_CLAMP_COLOR", frame.Target.ClampsColor);
+  this->AddLayers(text);
+  text.InsertRepeated("LayerBuffers", "OIT_LAYER_BUFFER", layers);
+  text.InsertRepeated("StoreLayers", "OIT_STORE_LAYER", layers);
+  if (this->Gathering.SetStage(text))
   {
     this->Release();
-    this->LayersPerSide = layers;
-    this->FloatColor = hasFloatColor;
-    this->ShaderTime.Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITDualPeeler::Note(const vtkOITStatistics& statistics)
+{
+  if (this->FloatColor)
+  {
+    return false;
+  }
+  const int wanted =
+    std::min((std::max(statistics.MaximumDepthComplexity, 1) + 1) / 2, MostLayersPerSide);
+  this->FramesWithFewer = wanted < this->LayersPerSide ? this->FramesWithFewer + 1 : 0;
+  if (wanted <= this->LayersPerSide && this->FramesWithFewer < FramesToAgree)
+  {
+    return false;
+  }
+  this->WantedLayersPerSide = wanted;
+  this->FramesWithFewer = 0;
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -52,139 +81,117 @@ int vtkOITDualPeeler::GetBytesPerPixel(const vtkOITFrame&) const
 }
 
 //------------------------------------------------------------------------------
-void vtkOITDualPeeler::Begin(const vtkOITPeelContext& context)
+vtkOITFailure vtkOITDualPeeler::Begin(const vtkOITPeelContext& context)
 {
-  this->Layers.Reserve(context.Frame.Window, context.State.GetWidth(), context.State.GetHeight(),
-    this->GetNumberOfBuffers(), GL_RGBA32UI);
   this->IsRest = false;
   this->FirstHasAll = false;
+  return this->Layers.Reserve(context.Frame.Window, context.State.GetWidth(),
+    context.State.GetHeight(), this->GetNumberOfBuffers(), GL_RGBA32UI);
 }
 
 //------------------------------------------------------------------------------
-void vtkOITDualPeeler::Gather(const vtkOITPeelContext& context)
+vtkOITFailure vtkOITDualPeeler::Gather(const vtkOITPeelContext& context)
 {
   std::vector<vtkOITAttachment> colors = this->Layers.GetAllLayers();
   colors.push_back(
-    context.State.GetArray().GetLayer(this->IsFirst ? StatisticsLayer : BoundsLayer));
-  context.State.BindForGather(this->GatherFramebuffer, colors,
+    context.State.GetArray().GetLayer(this->IsFirst ? OIT_STATE_STATISTICS : OIT_STATE_BOUNDS));
+  vtkOITFailure failure = context.State.BindForGather(this->GatherFramebuffer, colors,
     [this]
     {
-      const GLuint noNear[4] = { 0x7fffffff, 0, 0, 0 };
-      const GLuint noFar[4] = { 0, 0, 0, 0 };
+      const GLuint noNear[4] = { OIT_NO_NEAR, 0, 0, 0 };
+      const GLuint noFar[4] = { OIT_NO_FAR, 0, 0, 0 };
       for (int i = 0; i < this->GetNumberOfLayers(); ++i)
       {
         // What those of float colours hold is used only where there is a key.
         glClearBufferuiv(GL_COLOR, i, i < this->LayersPerSide ? noNear : noFar);
       }
     });
+  if (failure)
+  {
+    return failure;
+  }
   context.Frame.GLState->vtkglDisable(GL_BLEND);
   if (this->IsFirst)
   {
     context.RenderGeometry();
-    return;
+    return {};
   }
   // Bounds are only read. VTK compares the mask of the first buffer with what it knows.
   const auto bounds = static_cast<GLuint>(this->GetNumberOfBuffers());
   glColorMaski(bounds, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   context.RenderGeometry();
   glColorMaski(bounds, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  return {};
 }
 
 //------------------------------------------------------------------------------
-void vtkOITDualPeeler::AddLayers(std::string& stage) const
+void vtkOITDualPeeler::AddLayers(vtkOITShaderText& text) const
 {
-  vtkOITReplace(stage, "//VTK::OIT::Layers", std::string(vtkOITHalfFS) + vtkOITDualLayersFS);
-  vtkOITReplace(
-    stage, "//VTK::OIT::LoadLayers", vtkOITRepeat("OIT_LOAD_LAYER", this->GetNumberOfLayers()));
+  text.Require({ "GL_ARB_shader_bit_encoding" });
+  text.Define("OIT_SIDE", this->LayersPerSide).Define("OIT_BUFFERS", this->GetNumberOfBuffers());
+  text.Define("OIT_FLOAT_COLOR", this->FloatColor);
+  text.Insert("Layers", std::string(vtkOITHalfFS) + vtkOITDualLayersFS);
+  text.InsertRepeated("LoadLayers", "OIT_LOAD_LAYER", this->GetNumberOfLayers());
 }
 
 //------------------------------------------------------------------------------
-void vtkOITDualPeeler::Resolve(const vtkOITPeelContext& context)
+vtkOITFailure vtkOITDualPeeler::Resolve(const vtkOITPeelContext& context)
 {
-  context.State.Resolve(
+  return context.State.Resolve(
     this->ResolveStage,
-    [&]
+    [this]
     {
-      std::string text = context.State.AssembleResolve(vtkOITDualResolveFS,
-        vtkOITRequireExtensions({ "GL_ARB_shader_bit_encoding" }) + this->GetDefinitions() +
-          "#define OIT_READ_LAYERS\n");
+      vtkOITShaderText text({ vtkOITDualResolveFS });
       this->AddLayers(text);
-      return text;
+      return text.Define("OIT_READ_LAYERS");
     },
     [&](vtkShaderProgram* program)
     {
-      this->Layers.Bind(context.Frame.GLState, vtkOITPeelState::GatheredUnit);
-      program->SetUniformi("oitLayers", vtkOITPeelState::GatheredUnit);
+      this->Layers.Bind(context.Frame.GLState, OIT_UNIT_GATHERED);
+      program->SetUniformi("oitLayers", OIT_UNIT_GATHERED);
       program->SetUniformi("oitFirst", this->IsFirst ? 1 : 0);
       program->SetUniformi("oitRest", this->IsRest ? 1 : 0);
     });
 }
 
 //------------------------------------------------------------------------------
-void vtkOITDualPeeler::Peel(const vtkOITPeelContext& context, int number)
+vtkOITFailure vtkOITDualPeeler::Peel(const vtkOITPeelContext& context, int number)
 {
   this->IsFirst = number == 0;
-  this->Gather(context);
-  this->FirstHasAll = this->IsFirst && context.ExpectsAll && context.State.IsFirstPeelComplete();
-  if (!this->FirstHasAll)
+  vtkOITFailure failure = this->Gather(context);
+  this->FirstHasAll = false;
+  if (!failure && this->IsFirst && context.ExpectsAll)
   {
-    this->Resolve(context);
+    failure = context.State.IsFirstPeelComplete(this->FirstHasAll);
   }
+  return failure || this->FirstHasAll ? failure : this->Resolve(context);
 }
 
 //------------------------------------------------------------------------------
-void vtkOITDualPeeler::PeelRest(const vtkOITPeelContext& context)
+vtkOITFailure vtkOITDualPeeler::PeelRest(const vtkOITPeelContext& context)
 {
   this->IsRest = true;
-  this->Peel(context, -1);
+  vtkOITFailure failure = this->Peel(context, -1);
   this->IsRest = false;
+  return failure;
 }
 
 //------------------------------------------------------------------------------
-void vtkOITDualPeeler::Composite(const vtkOITPeelContext& context)
+vtkOITFailure vtkOITDualPeeler::Composite(const vtkOITPeelContext& context)
 {
-  context.State.Composite(
+  return context.State.Composite(
     this->CompositeStage,
     [this]
     {
-      std::string text = vtkOITDualCompositeFS;
-      vtkOITReplace(text, "//VTK::System::Dec",
-        "//VTK::System::Dec\n" + vtkOITRequireExtensions({ "GL_ARB_shader_bit_encoding" }) +
-          this->GetDefinitions() + "#define OIT_READ_LAYERS\n");
+      vtkOITShaderText text({ vtkOITDualCompositeFS });
       this->AddLayers(text);
-      return text;
+      return text.Define("OIT_READ_LAYERS");
     },
     [&](vtkShaderProgram* program)
     {
-      this->Layers.Bind(context.Frame.GLState, vtkOITPeelState::GatheredUnit);
-      program->SetUniformi("oitLayers", vtkOITPeelState::GatheredUnit);
+      this->Layers.Bind(context.Frame.GLState, OIT_UNIT_GATHERED);
+      program->SetUniformi("oitLayers", OIT_UNIT_GATHERED);
     });
-}
-
-//------------------------------------------------------------------------------
-std::string vtkOITDualPeeler::GetDefinitions() const
-{
-  return "#define OIT_SIDE " + std::to_string(this->LayersPerSide) + "\n#define OIT_BUFFERS " +
-    std::to_string(this->GetNumberOfBuffers()) + "\n" +
-    (this->FloatColor ? "#define OIT_FLOAT_COLOR\n" : "");
-}
-
-//------------------------------------------------------------------------------
-bool vtkOITDualPeeler::WrapGather(std::string& fragmentShader) const
-{
-  std::string header =
-    vtkOITRequireExtensions({ "GL_ARB_explicit_attrib_location", "GL_ARB_shader_bit_encoding",
-      "GL_EXT_shader_framebuffer_fetch", "GL_ARB_shader_image_load_store" }) +
-    this->GetDefinitions();
-  // Reading the framebuffer would end the tests before the shader.
-  header += vtkOITWritesDepth(fragmentShader) ? "#define OIT_WRITES_DEPTH\n"
-                                              : "layout(early_fragment_tests) in;\n";
-  std::string stage = std::string(vtkOITFragmentFS) + "//VTK::OIT::Layers\n" + vtkOITDualGatherFS;
-  this->AddLayers(stage);
-  const int layers = this->GetNumberOfLayers();
-  vtkOITReplace(stage, "//VTK::OIT::LayerBuffers", vtkOITRepeat("OIT_LAYER_BUFFER", layers));
-  vtkOITReplace(stage, "//VTK::OIT::StoreLayers", vtkOITRepeat("OIT_STORE_LAYER", layers));
-  return vtkOITWrapFragmentShader(fragmentShader, header, stage);
 }
 
 //------------------------------------------------------------------------------

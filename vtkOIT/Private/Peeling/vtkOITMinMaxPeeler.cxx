@@ -3,7 +3,7 @@
 #include "Private/Peeling/vtkOITMinMaxPeeler.h"
 
 #include "Private/Frame/vtkOITFrame.h"
-#include "Private/GL/vtkOITShaderText.h"
+#include "glsl/Common/vtkOITConstants.h"
 
 #include "vtkOITFragmentFS.h"
 #include "vtkOITMinMaxGatherFS.h"
@@ -13,13 +13,20 @@
 #include "vtkShaderProgram.h"
 
 //------------------------------------------------------------------------------
-void vtkOITMinMaxPeeler::Prepare(const vtkOITFrame& frame, bool)
+void vtkOITMinMaxPeeler::Prepare(const vtkOITFrame& frame, const vtkOITSettings&)
 {
-  const bool inPlace = vtkOITPeelState::CanWorkInPlace(frame);
-  if (inPlace != this->InPlace || this->ShaderTime.GetMTime() == 0)
+  this->InPlace = vtkOITPeelState::CanWorkInPlace(frame);
+  vtkOITShaderText text({ vtkOITFragmentFS, vtkOITMinMaxGatherFS });
+  text.Require({ "GL_ARB_explicit_attrib_location" });
+  text.Define("OIT_DUAL", this->IsDual).Define("OIT_IN_PLACE", this->InPlace);
+  text.Define("OIT_CLAMP_COLOR", frame.Target.ClampsColor);
+  if (this->InPlace)
   {
-    this->InPlace = inPlace;
-    this->ShaderTime.Modified();
+    text.Require({ "GL_EXT_shader_framebuffer_fetch", "GL_ARB_shader_image_load_store" });
+    text.TestDepthEarly(); // reading the framebuffer would end it
+  }
+  if (this->Gather.SetStage(text))
+  {
     this->Release();
   }
 }
@@ -47,46 +54,54 @@ int vtkOITMinMaxPeeler::GetNumberOfSums(bool inPlace) const
 }
 
 //------------------------------------------------------------------------------
-void vtkOITMinMaxPeeler::Begin(const vtkOITPeelContext& context)
+vtkOITFailure vtkOITMinMaxPeeler::Begin(const vtkOITPeelContext& context)
 {
   const vtkOITPeelState& state = context.State;
   const int sums = this->GetNumberOfSums(this->InPlace);
-  if (sums > 0)
-  {
-    this->Sums.Reserve(context.Frame.Window, state.GetWidth(), state.GetHeight(), sums, GL_RGBA32F);
-  }
   this->IsRest = false;
+  return sums > 0 ? this->Sums.Reserve(
+                      context.Frame.Window, state.GetWidth(), state.GetHeight(), sums, GL_RGBA32F)
+                  : vtkOITFailure();
 }
 
 //------------------------------------------------------------------------------
 // What Gather reads are layers of the state; Resolve has emptied them.
-void vtkOITMinMaxPeeler::GatherInPlace(const vtkOITPeelContext& context, bool isSetUp)
+vtkOITFailure vtkOITMinMaxPeeler::GatherInPlace(const vtkOITPeelContext& context, bool isSetUp)
 {
   const vtkOITTextureArray& state = context.State.GetArray();
-  context.State.BindForGather(
-    this->GatherFramebuffer, { state.GetLayer(2), state.GetLayer(3), state.GetLayer(4) }, [] {});
+  if (vtkOITFailure failure = context.State.BindForGather(this->GatherFramebuffer,
+        { state.GetLayer(OIT_STATE_BOUNDS), state.GetLayer(3), state.GetLayer(4) }, [] {}))
+  {
+    return failure;
+  }
   if (isSetUp)
   {
     vtkOITFramebuffer::DrawInto(1); // depths only: no colours yet
   }
   context.Frame.GLState->vtkglDisable(GL_BLEND);
   context.RenderGeometry();
+  return {};
 }
 
 //------------------------------------------------------------------------------
-void vtkOITMinMaxPeeler::GatherByBlending(const vtkOITPeelContext& context, bool isSetUp)
+vtkOITFailure vtkOITMinMaxPeeler::GatherByBlending(const vtkOITPeelContext& context, bool isSetUp)
 {
   vtkOpenGLState* gl = context.Frame.GLState;
   const int sums = this->Sums.GetNumberOfLayers();
-  context.State.BindForGather(this->GatherFramebuffer, this->Sums.GetAllLayers(),
-    [sums]
-    {
-      const float nothing[4] = { 0.0f, 0.0f, 0.0f, -2.0f };
-      for (int i = 0; i < sums; ++i)
+  vtkOITFailure failure =
+    context.State.BindForGather(this->GatherFramebuffer, this->Sums.GetAllLayers(),
+      [sums]
       {
-        glClearBufferfv(GL_COLOR, i, nothing);
-      }
-    });
+        const float nothing[4] = { 0.0f, 0.0f, 0.0f, -2.0f };
+        for (int i = 0; i < sums; ++i)
+        {
+          glClearBufferfv(GL_COLOR, i, nothing);
+        }
+      });
+  if (failure)
+  {
+    return failure;
+  }
   if (isSetUp)
   {
     vtkOITFramebuffer::DrawInto(2); // depths only: no colours yet
@@ -95,63 +110,40 @@ void vtkOITMinMaxPeeler::GatherByBlending(const vtkOITPeelContext& context, bool
   gl->vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_MAX);
   gl->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   context.RenderGeometry();
+  return {};
 }
 
 //------------------------------------------------------------------------------
-void vtkOITMinMaxPeeler::Peel(const vtkOITPeelContext& context, int number)
+vtkOITFailure vtkOITMinMaxPeeler::Peel(const vtkOITPeelContext& context, int number)
 {
   const bool isSetUp = number == 0;
-  if (this->InPlace)
+  vtkOITFailure failure = this->InPlace ? this->GatherInPlace(context, isSetUp)
+                                        : this->GatherByBlending(context, isSetUp);
+  if (failure)
   {
-    this->GatherInPlace(context, isSetUp);
+    return failure;
   }
-  else
-  {
-    this->GatherByBlending(context, isSetUp);
-  }
-  context.State.Resolve(
+  return context.State.Resolve(
     this->ResolveStage,
-    [&] { return context.State.AssembleResolve(vtkOITMinMaxResolveFS, this->GetDefinitions()); },
+    [this] { return vtkOITShaderText({ vtkOITMinMaxResolveFS }).Define("OIT_DUAL", this->IsDual); },
     [&](vtkShaderProgram* program)
     {
       if (program->IsUniformUsed("oitSums"))
       {
-        this->Sums.Bind(context.Frame.GLState, vtkOITPeelState::GatheredUnit);
-        program->SetUniformi("oitSums", vtkOITPeelState::GatheredUnit);
+        this->Sums.Bind(context.Frame.GLState, OIT_UNIT_GATHERED);
+        program->SetUniformi("oitSums", OIT_UNIT_GATHERED);
       }
       program->SetUniformi("oitRest", this->IsRest ? 1 : 0);
     });
 }
 
 //------------------------------------------------------------------------------
-void vtkOITMinMaxPeeler::PeelRest(const vtkOITPeelContext& context)
+vtkOITFailure vtkOITMinMaxPeeler::PeelRest(const vtkOITPeelContext& context)
 {
   this->IsRest = true;
-  this->Peel(context, -1);
+  vtkOITFailure failure = this->Peel(context, -1);
   this->IsRest = false;
-}
-
-//------------------------------------------------------------------------------
-bool vtkOITMinMaxPeeler::WrapGather(std::string& fragmentShader) const
-{
-  std::string header =
-    vtkOITRequireExtensions({ "GL_ARB_explicit_attrib_location" }) + this->GetDefinitions();
-  if (this->InPlace)
-  {
-    header = vtkOITRequireExtensions(
-               { "GL_EXT_shader_framebuffer_fetch", "GL_ARB_shader_image_load_store" }) +
-      header + "#define OIT_IN_PLACE\n";
-  }
-  if (vtkOITWritesDepth(fragmentShader))
-  {
-    header += "#define OIT_WRITES_DEPTH\n";
-  }
-  else if (this->InPlace)
-  {
-    header += "layout(early_fragment_tests) in;\n"; // reading the framebuffer would end it
-  }
-  return vtkOITWrapFragmentShader(
-    fragmentShader, header, std::string(vtkOITFragmentFS) + vtkOITMinMaxGatherFS);
+  return failure;
 }
 
 //------------------------------------------------------------------------------

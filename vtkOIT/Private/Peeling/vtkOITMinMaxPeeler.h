@@ -4,7 +4,6 @@
 #define vtkOITMinMaxPeeler_h
 
 #include "Private/Peeling/vtkOITPeeler.h"
-#include "vtkTimeStamp.h"
 
 /**
  * Depth peeling with a sliding window: while the fragments at the bounds of a pixel are blended,
@@ -26,33 +25,30 @@ public:
   }
 
   int GetNumberOfSetUpPeels() const override { return 1; }
-  void Prepare(const vtkOITFrame& frame, bool hasFloatColor) override;
+  void Prepare(const vtkOITFrame& frame, const vtkOITSettings& settings) override;
   vtkOITPeelState::Layout GetLayout(const vtkOITFrame& frame) const override;
   int GetBytesPerPixel(const vtkOITFrame& frame) const override;
   std::int64_t GetSizeInBytes() const override { return this->Sums.GetSizeInBytes(); }
 
-  void Begin(const vtkOITPeelContext& context) override;
-  void Peel(const vtkOITPeelContext& context, int number) override;
-  void PeelRest(const vtkOITPeelContext& context) override;
+  vtkOITFailure Begin(const vtkOITPeelContext& context) override;
+  vtkOITFailure Peel(const vtkOITPeelContext& context, int number) override;
+  vtkOITFailure PeelRest(const vtkOITPeelContext& context) override;
 
-  bool WrapGather(std::string& fragmentShader) const override;
+  vtkOITGather& GetGather() override { return this->Gather; }
   void SetUniforms(
     vtkShaderProgram* program, vtkProp* prop, const vtkOITPeelContext& context) override;
-
-  vtkMTimeType GetShaderMTime() const override { return this->ShaderTime.GetMTime(); }
 
   void Release() override;
 
 private:
-  void GatherInPlace(const vtkOITPeelContext& context, bool isSetUp);
-  void GatherByBlending(const vtkOITPeelContext& context, bool isSetUp);
+  vtkOITFailure GatherInPlace(const vtkOITPeelContext& context, bool isSetUp);
+  vtkOITFailure GatherByBlending(const vtkOITPeelContext& context, bool isSetUp);
   int GetNumberOfSums(bool inPlace) const;
-  std::string GetDefinitions() const { return this->IsDual ? "#define OIT_DUAL\n" : ""; }
 
   bool IsDual;
   bool IsRest = false;
   bool InPlace = false; // of the shaders
-  vtkTimeStamp ShaderTime;
+  vtkOITGather Gather;
   vtkOITTextureArray Sums;
   vtkOITFramebuffer GatherFramebuffer;
   vtkOITScreenStage ResolveStage;

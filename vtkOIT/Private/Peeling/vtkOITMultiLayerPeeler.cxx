@@ -3,7 +3,8 @@
 #include "Private/Peeling/vtkOITMultiLayerPeeler.h"
 
 #include "Private/Frame/vtkOITFrame.h"
-#include "Private/GL/vtkOITShaderText.h"
+#include "Private/Frame/vtkOITSettings.h"
+#include "glsl/Common/vtkOITConstants.h"
 
 #include "vtkOITDepthTestFS.h"
 #include "vtkOITFragmentFS.h"
@@ -16,6 +17,50 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
+namespace
+{
+using Access = vtkOITMultiLayerPeeler::Access;
+
+/// Empty, or what the context lacks for this way of access.
+std::string FindMissingFor(const vtkOITCapabilities& capabilities, Access access, int layers)
+{
+  switch (access)
+  {
+    case Access::Fetch:
+      return capabilities.FramebufferFetch && capabilities.EarlyFragmentTests
+        ? ""
+        : "GL_EXT_shader_framebuffer_fetch with GL_ARB_shader_image_load_store";
+    case Access::Interlock:
+      return capabilities.FragmentInterlock && capabilities.HasStorage()
+        ? ""
+        : "GL_ARB_fragment_shader_interlock with GL_ARB_shader_image_load_store";
+    default:
+      if (layers > 8)
+      {
+        return "an ordered access to pixels, which 16 layers a pass need";
+      }
+      return capabilities.TextureBarrier ? "" : "GL_ARB_texture_barrier";
+  }
+}
+
+/// The ways of access that a setting (vtkOITMultiLayerPeelingPass::SynchronizationType) allows, best
+/// first.
+std::vector<Access> GetAllowed(int synchronization)
+{
+  switch (synchronization)
+  {
+    case 1:
+      return { Access::Fetch };
+    case 2:
+      return { Access::Interlock };
+    case 3:
+      return { Access::Barrier };
+    default:
+      return { Access::Fetch, Access::Interlock, Access::Barrier };
+  }
+}
+}
+
 //------------------------------------------------------------------------------
 int vtkOITMultiLayerPeeler::GetNumberOfSlots() const
 {
@@ -23,17 +68,64 @@ int vtkOITMultiLayerPeeler::GetNumberOfSlots() const
 }
 
 //------------------------------------------------------------------------------
-void vtkOITMultiLayerPeeler::Prepare(const vtkOITFrame& frame, bool)
+std::string vtkOITMultiLayerPeeler::FindMissing(
+  const vtkOITCapabilities& capabilities, const vtkOITSettings& settings) const
 {
+  std::string missing = capabilities.GetMissingForPeeling();
+  if (!missing.empty())
+  {
+    return missing;
+  }
+  for (const Access access : GetAllowed(settings.Synchronization))
+  {
+    missing = FindMissingFor(capabilities, access, settings.NumberOfLayersPerPass);
+    if (missing.empty())
+    {
+      return {};
+    }
+  }
+  return "multi-layer peeling: this context lacks " + missing +
+    "; choose another Synchronization or NumberOfLayersPerPass, or another method";
+}
+
+//------------------------------------------------------------------------------
+void vtkOITMultiLayerPeeler::Prepare(const vtkOITFrame& frame, const vtkOITSettings& settings)
+{
+  this->NumberOfLayers = settings.NumberOfLayersPerPass;
+  for (const Access access : GetAllowed(settings.Synchronization))
+  {
+    if (FindMissingFor(*frame.Capabilities, access, this->NumberOfLayers).empty())
+    {
+      this->UsedAccess = access;
+      break;
+    }
+  }
+  const int slots = this->GetNumberOfSlots();
+  vtkOITShaderText text(
+    { vtkOITFragmentFS, vtkOITHalfFS, vtkOITMultiLayerSlotsFS, vtkOITMultiLayerGatherFS });
+  text.Require({ "GL_ARB_explicit_attrib_location", "GL_ARB_shader_bit_encoding" });
+  if (this->UsedAccess == Access::Fetch)
+  {
+    text.Require({ "GL_EXT_shader_framebuffer_fetch", "GL_ARB_shader_image_load_store" });
+    text.TestDepthEarly();
+  }
+  else if (this->UsedAccess == Access::Interlock)
+  {
+    text.Require({ "GL_ARB_fragment_shader_interlock", "GL_ARB_shader_image_load_store",
+      "GL_ARB_shading_language_420pack" });
+    text.TestDepthEarly();
+  }
+  this->AddVariant(text);
+  text.Define("OIT_CLAMP_COLOR", frame.Target.ClampsColor);
+  text.Insert("DepthTest", vtkOITDepthTestFS);
+  text.InsertRepeated("SlotBuffers", "OIT_SLOT_BUFFER", slots);
+  text.InsertRepeated("LoadSlots", "OIT_LOAD_SLOT", slots);
+  text.InsertRepeated("StoreSlots", "OIT_STORE_SLOT", slots);
   const bool inPlace = vtkOITPeelState::CanWorkInPlace(frame);
-  if (this->ShaderLayers != this->NumberOfLayers || this->UsedAccess != this->WantedAccess ||
-    this->InPlace != inPlace)
+  if (this->Gather.SetStage(text) || this->InPlace != inPlace)
   {
     this->Release();
-    this->ShaderLayers = this->NumberOfLayers;
-    this->UsedAccess = this->WantedAccess;
     this->InPlace = inPlace;
-    this->ShaderTime.Modified();
   }
 }
 
@@ -52,12 +144,12 @@ int vtkOITMultiLayerPeeler::GetBytesPerPixel(const vtkOITFrame&) const
 }
 
 //------------------------------------------------------------------------------
-void vtkOITMultiLayerPeeler::Begin(const vtkOITPeelContext& context)
+vtkOITFailure vtkOITMultiLayerPeeler::Begin(const vtkOITPeelContext& context)
 {
-  this->Slots.Reserve(context.Frame.Window, context.State.GetWidth(), context.State.GetHeight(),
-    this->GetNumberOfSlots(), GL_RGBA32UI);
   this->DrawNumbers.clear();
   this->IsRest = false;
+  return this->Slots.Reserve(context.Frame.Window, context.State.GetWidth(),
+    context.State.GetHeight(), this->GetNumberOfSlots(), GL_RGBA32UI);
 }
 
 //------------------------------------------------------------------------------
@@ -87,7 +179,7 @@ void vtkOITMultiLayerPeeler::GatherUnordered(const vtkOITPeelContext& context)
 }
 
 //------------------------------------------------------------------------------
-void vtkOITMultiLayerPeeler::Peel(const vtkOITPeelContext& context, int)
+vtkOITFailure vtkOITMultiLayerPeeler::Peel(const vtkOITPeelContext& context, int)
 {
   vtkOpenGLState* gl = context.Frame.GLState;
   const bool isRest = this->IsRest;
@@ -95,7 +187,7 @@ void vtkOITMultiLayerPeeler::Peel(const vtkOITPeelContext& context, int)
   const int slots = this->Slots.GetNumberOfLayers();
   const auto clear = [=]
   {
-    constexpr GLuint noDepth = 0x3fffffff;
+    constexpr GLuint noDepth = OIT_EMPTY;
     const GLuint empty[4] = { noDepth, hasPairs ? 0 : 0xffffffff, hasPairs ? noDepth : 0, 0 };
     const GLuint zero[4] = { 0, 0, 0, 0 };
     for (int i = 0; i < slots; ++i)
@@ -103,7 +195,11 @@ void vtkOITMultiLayerPeeler::Peel(const vtkOITPeelContext& context, int)
       glClearBufferuiv(GL_COLOR, i, isRest ? zero : empty);
     }
   };
-  context.State.BindForGather(this->GatherFramebuffer, this->Slots.GetAllLayers(), clear);
+  if (vtkOITFailure failure =
+        context.State.BindForGather(this->GatherFramebuffer, this->Slots.GetAllLayers(), clear))
+  {
+    return failure;
+  }
   gl->vtkglDisable(GL_BLEND);
   switch (this->UsedAccess)
   {
@@ -113,8 +209,8 @@ void vtkOITMultiLayerPeeler::Peel(const vtkOITPeelContext& context, int)
     case Access::Interlock:
       // Images instead of colour buffers; the depth test is the same.
       vtkOITFramebuffer::DrawInto(0);
-      glBindImageTexture(
-        0, this->Slots.GetLayer(0).Texture, 0, GL_TRUE, 0, GL_READ_WRITE, GL_RGBA32UI);
+      glBindImageTexture(OIT_IMAGE_SLOTS, this->Slots.GetLayer(0).Texture, 0, GL_TRUE, 0,
+        GL_READ_WRITE, GL_RGBA32UI);
       glMemoryBarrier(GL_ALL_BARRIER_BITS);
       this->RenderGeometry(context);
       glMemoryBarrier(GL_ALL_BARRIER_BITS);
@@ -123,75 +219,42 @@ void vtkOITMultiLayerPeeler::Peel(const vtkOITPeelContext& context, int)
       this->GatherUnordered(context);
       break;
   }
-  context.State.Resolve(
+  return context.State.Resolve(
     this->ResolveStage,
     [&]
     {
-      std::string text = context.State.AssembleResolve(vtkOITMultiLayerResolveFS,
-        vtkOITRequireExtensions({ "GL_ARB_shader_bit_encoding" }) + this->GetDefinitions() +
-          "#define OIT_RESOLVE\n");
-      vtkOITReplace(text, "//VTK::OIT::Slots", std::string(vtkOITHalfFS) + vtkOITMultiLayerSlotsFS);
-      vtkOITReplace(text, "//VTK::OIT::LoadSlots", vtkOITRepeat("OIT_LOAD_SLOT", slots));
+      vtkOITShaderText text({ vtkOITMultiLayerResolveFS });
+      text.Require({ "GL_ARB_shader_bit_encoding" }).Define("OIT_RESOLVE");
+      this->AddVariant(text);
+      text.Insert("Slots", std::string(vtkOITHalfFS) + vtkOITMultiLayerSlotsFS);
+      text.InsertRepeated("LoadSlots", "OIT_LOAD_SLOT", slots);
       return text;
     },
     [&](vtkShaderProgram* program)
     {
-      this->Slots.Bind(gl, vtkOITPeelState::GatheredUnit);
-      program->SetUniformi("oitSlots", vtkOITPeelState::GatheredUnit);
+      this->Slots.Bind(gl, OIT_UNIT_GATHERED);
+      program->SetUniformi("oitSlots", OIT_UNIT_GATHERED);
       program->SetUniformi("oitRest", this->IsRest ? 1 : 0);
     });
 }
 
 //------------------------------------------------------------------------------
-void vtkOITMultiLayerPeeler::PeelRest(const vtkOITPeelContext& context)
+vtkOITFailure vtkOITMultiLayerPeeler::PeelRest(const vtkOITPeelContext& context)
 {
   this->IsRest = true;
-  this->Peel(context, -1);
+  vtkOITFailure failure = this->Peel(context, -1);
   this->IsRest = false;
+  return failure;
 }
 
 //------------------------------------------------------------------------------
-std::string vtkOITMultiLayerPeeler::GetDefinitions() const
+void vtkOITMultiLayerPeeler::AddVariant(vtkOITShaderText& text) const
 {
-  const char* access = this->UsedAccess == Access::Fetch ? "#define OIT_FETCH\n"
-    : this->UsedAccess == Access::Interlock              ? "#define OIT_INTERLOCK\n"
-                                                         : "#define OIT_BARRIER\n";
-  return access + std::string(this->HasPairs() ? "#define OIT_PAIRS\n" : "") +
-    "#define OIT_SLOTS " + std::to_string(this->GetNumberOfSlots()) + "\n";
-}
-
-//------------------------------------------------------------------------------
-bool vtkOITMultiLayerPeeler::WrapGather(std::string& fragmentShader) const
-{
-  std::string header =
-    vtkOITRequireExtensions({ "GL_ARB_explicit_attrib_location", "GL_ARB_shader_bit_encoding" });
-  if (this->UsedAccess == Access::Fetch)
-  {
-    header += vtkOITRequireExtensions(
-      { "GL_EXT_shader_framebuffer_fetch", "GL_ARB_shader_image_load_store" });
-  }
-  else if (this->UsedAccess == Access::Interlock)
-  {
-    header += vtkOITRequireExtensions({ "GL_ARB_fragment_shader_interlock",
-      "GL_ARB_shader_image_load_store", "GL_ARB_shading_language_420pack" });
-  }
-  header += this->GetDefinitions();
-  if (vtkOITWritesDepth(fragmentShader))
-  {
-    header += "#define OIT_WRITES_DEPTH\n";
-  }
-  else if (this->UsedAccess != Access::Barrier)
-  {
-    header += "layout(early_fragment_tests) in;\n";
-  }
-  const int slots = this->GetNumberOfSlots();
-  std::string stage = std::string(vtkOITFragmentFS) + vtkOITHalfFS + vtkOITMultiLayerSlotsFS +
-    vtkOITMultiLayerGatherFS;
-  vtkOITReplace(stage, "//VTK::OIT::DepthTest", vtkOITDepthTestFS);
-  vtkOITReplace(stage, "//VTK::OIT::SlotBuffers", vtkOITRepeat("OIT_SLOT_BUFFER", slots));
-  vtkOITReplace(stage, "//VTK::OIT::LoadSlots", vtkOITRepeat("OIT_LOAD_SLOT", slots));
-  vtkOITReplace(stage, "//VTK::OIT::StoreSlots", vtkOITRepeat("OIT_STORE_SLOT", slots));
-  return vtkOITWrapFragmentShader(fragmentShader, header, stage);
+  text.Define("OIT_FETCH", this->UsedAccess == Access::Fetch);
+  text.Define("OIT_INTERLOCK", this->UsedAccess == Access::Interlock);
+  text.Define("OIT_BARRIER", this->UsedAccess == Access::Barrier);
+  text.Define("OIT_PAIRS", this->HasPairs());
+  text.Define("OIT_SLOTS", this->GetNumberOfSlots());
 }
 
 //------------------------------------------------------------------------------
@@ -206,8 +269,8 @@ void vtkOITMultiLayerPeeler::SetUniforms(
   program->SetUniformi("oitDrawNumber", number.first->second);
   if (this->UsedAccess == Access::Barrier)
   {
-    this->Slots.Bind(context.Frame.GLState, vtkOITPeelState::GatheredUnit);
-    program->SetUniformi("oitSlots", vtkOITPeelState::GatheredUnit);
+    this->Slots.Bind(context.Frame.GLState, OIT_UNIT_GATHERED);
+    program->SetUniformi("oitSlots", OIT_UNIT_GATHERED);
     glTextureBarrier(); // what the last draw has written
   }
 }

@@ -4,12 +4,10 @@
 #define vtkOITMultiLayerPeeler_h
 
 #include "Private/Peeling/vtkOITPeeler.h"
-#include "vtkTimeStamp.h"
 
 #include <map>
 #include <utility>
-
-class vtkOITCapabilities;
+#include <vector>
 
 /**
  * Several layers a peel, by insertion sort in the fragment shader (Liu, Wei and Xu 2006). How the
@@ -25,43 +23,35 @@ public:
     Barrier    // colour buffers that the shader reads as a texture, again and again
   };
 
-  vtkOITMultiLayerPeeler() = default;
-
-  /// 4, 8 or 16 layers a peel.
-  void SetNumberOfLayers(int layers) { this->NumberOfLayers = layers; }
-  void SetAccess(Access access) { this->WantedAccess = access; }
-
-  void Prepare(const vtkOITFrame& frame, bool hasFloatColor) override;
+  std::string FindMissing(
+    const vtkOITCapabilities& capabilities, const vtkOITSettings& settings) const override;
+  void Prepare(const vtkOITFrame& frame, const vtkOITSettings& settings) override;
   vtkOITPeelState::Layout GetLayout(const vtkOITFrame& frame) const override;
   int GetBytesPerPixel(const vtkOITFrame& frame) const override;
   std::int64_t GetSizeInBytes() const override { return this->Slots.GetSizeInBytes(); }
   bool CanCullProps() const override { return this->UsedAccess != Access::Barrier; }
 
-  void Begin(const vtkOITPeelContext& context) override;
-  void Peel(const vtkOITPeelContext& context, int number) override;
-  void PeelRest(const vtkOITPeelContext& context) override;
+  vtkOITFailure Begin(const vtkOITPeelContext& context) override;
+  vtkOITFailure Peel(const vtkOITPeelContext& context, int number) override;
+  vtkOITFailure PeelRest(const vtkOITPeelContext& context) override;
 
-  bool WrapGather(std::string& fragmentShader) const override;
+  vtkOITGather& GetGather() override { return this->Gather; }
   void SetUniforms(
     vtkShaderProgram* program, vtkProp* prop, const vtkOITPeelContext& context) override;
-  vtkMTimeType GetShaderMTime() const override { return this->ShaderTime.GetMTime(); }
-
   void Release() override;
 
 private:
   /// Two layers share a buffer.
   bool HasPairs() const { return this->NumberOfLayers > 8; }
   int GetNumberOfSlots() const;
-  std::string GetDefinitions() const;
+  void AddVariant(vtkOITShaderText& text) const;
   void RenderGeometry(const vtkOITPeelContext& context);
   void GatherUnordered(const vtkOITPeelContext& context);
 
-  int NumberOfLayers = 8;
-  Access WantedAccess = Access::Fetch;
-  int ShaderLayers = 0; // of the shaders
+  int NumberOfLayers = 8; // a peel: 4, 8 or 16
   Access UsedAccess = Access::Fetch;
-  bool InPlace = false;
-  vtkTimeStamp ShaderTime;
+  bool InPlace = false; // of ResolveStage's program
+  vtkOITGather Gather;
   bool IsRest = false;
 
   vtkOITTextureArray Slots;

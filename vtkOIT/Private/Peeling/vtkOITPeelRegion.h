@@ -10,7 +10,7 @@
 #include <functional>
 #include <vector>
 
-class vtkOITFrame;
+struct vtkOITFrame;
 
 /**
  * Where pixels are left to peel, and how many: occlusion queries count them in cells of the band,

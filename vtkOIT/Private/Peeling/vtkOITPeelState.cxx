@@ -4,7 +4,7 @@
 
 #include "Private/Frame/vtkOITCapabilities.h"
 #include "Private/Frame/vtkOITFrame.h"
-#include "Private/GL/vtkOITShaderText.h"
+#include "glsl/Common/vtkOITConstants.h"
 
 #include "vtkOITFullScreenVS.h"
 #include "vtkOITGroupFS.h"
@@ -54,7 +54,7 @@ int vtkOITPeelState::GetBytesPerPixel(const vtkOITFrame& frame, const Layout& la
 }
 
 //------------------------------------------------------------------------------
-void vtkOITPeelState::Begin(const vtkOITFrame& frame, const vtkOITRectangle& band,
+vtkOITFailure vtkOITPeelState::Begin(const vtkOITFrame& frame, const vtkOITRectangle& band,
   const vtkOITRectangle& storage, const Layout& layout, double transmittanceThreshold,
   bool countsPixels)
 {
@@ -68,8 +68,6 @@ void vtkOITPeelState::Begin(const vtkOITFrame& frame, const vtkOITRectangle& ban
   this->TheLayout = layout;
   this->TransmittanceThreshold = transmittanceThreshold;
   this->InPlace = CanWorkInPlace(frame);
-  this->TestsDepth = glIsEnabled(GL_DEPTH_TEST) == GL_TRUE;
-  glGetIntegerv(GL_DEPTH_FUNC, &this->DepthFunction);
   this->HasMask = false;
   this->IsReduced = false;
   this->Current = 0;
@@ -79,38 +77,50 @@ void vtkOITPeelState::Begin(const vtkOITFrame& frame, const vtkOITRectangle& ban
   vtkOpenGLRenderWindow* window = frame.Window;
   for (int i = 0; i < (this->InPlace ? 1 : 2); ++i)
   {
-    this->Arrays[i].Reserve(window, storage.Width, storage.Height, layout.Layers, GL_RGBA32F);
+    if (vtkOITFailure failure =
+          this->Arrays[i].Reserve(window, storage.Width, storage.Height, layout.Layers, GL_RGBA32F))
+    {
+      return failure;
+    }
   }
-  this->MaskDepth.Reserve(window, storage.Width, storage.Height, 1, GL_DEPTH_COMPONENT32F);
+  if (vtkOITFailure failure =
+        this->MaskDepth.Reserve(window, storage.Width, storage.Height, 1, GL_DEPTH_COMPONENT32F))
+  {
+    return failure;
+  }
+  frame.BeginGeometry(band);
   if (frame.Target.DepthBits > 0)
   {
-    this->OpaqueDepth.Copy(frame, storage, band, GatheredUnit);
-    this->OpaqueDepth.Unbind(frame.GLState, GatheredUnit);
+    if (vtkOITFailure failure = this->OpaqueDepth.Copy(frame, storage, band, OIT_UNIT_GATHERED))
+    {
+      return failure;
+    }
+    this->OpaqueDepth.Unbind(frame.GLState, OIT_UNIT_GATHERED);
   }
-
-  vtkOpenGLState* state = frame.GLState;
-  frame.ShiftViewport(band, storage);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglDepthMask(GL_FALSE);
-  this->StateFramebuffers[0].Bind(
-    window, this->Arrays[0].GetAllLayers(), this->MaskDepth.GetLayer(0));
+  frame.BeginStorage(band, storage);
+  if (vtkOITFailure failure = this->StateFramebuffers[0].Bind(
+        window, this->Arrays[0].GetAllLayers(), this->MaskDepth.GetLayer(0)))
+  {
+    return failure;
+  }
   for (int layer = 0; layer < layout.Layers; ++layer)
   {
-    if (layout.StartsInResolve && layer != 1)
+    if (layout.StartsInResolve && layer != OIT_STATE_STATISTICS)
     {
       continue;
     }
     std::array<float, 4> value{};
-    if (layer == 0 || (layout.HasBack && layer == 3))
+    if (layer == OIT_STATE_FRONT || (layout.HasBack && layer == OIT_STATE_BACK))
     {
       value[3] = 1.0f; // transmittance
     }
-    else if (layer == 2)
+    else if (layer == OIT_STATE_BOUNDS)
     {
       value = { -1.0f, 2.0f, -2.0f, -2.0f };
     }
     glClearBufferfv(GL_COLOR, layer, value.data());
   }
+  return {};
 }
 
 //------------------------------------------------------------------------------
@@ -127,7 +137,7 @@ void vtkOITPeelState::SetScissorOfResolve() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkOITPeelState::BindForGather(vtkOITFramebuffer& framebuffer,
+vtkOITFailure vtkOITPeelState::BindForGather(vtkOITFramebuffer& framebuffer,
   const std::vector<vtkOITAttachment>& colors, const std::function<void()>& clear)
 {
   vtkOpenGLState* state = this->Frame->GLState;
@@ -142,48 +152,38 @@ bool vtkOITPeelState::BindForGather(vtkOITFramebuffer& framebuffer,
   }
   else
   {
-    if (this->TestsDepth)
-    {
-      state->vtkglEnable(GL_DEPTH_TEST);
-    }
-    else
-    {
-      state->vtkglDisable(GL_DEPTH_TEST);
-    }
-    state->vtkglDepthFunc(this->DepthFunction);
+    state->SetEnumState(GL_DEPTH_TEST, this->Frame->Target.TestsDepth);
+    state->vtkglDepthFunc(this->Frame->Target.DepthFunction);
     if (this->Frame->Target.DepthBits > 0)
     {
       depth = this->OpaqueDepth.GetAttachment();
     }
   }
-  const bool isComplete = framebuffer.Bind(this->Frame->Window, colors, depth);
+  if (vtkOITFailure failure = framebuffer.Bind(this->Frame->Window, colors, depth))
+  {
+    return failure;
+  }
   this->SetScissorOfResolve();
   clear();
   this->Region.SetScissor();
-  return isComplete;
+  return {};
 }
 
 //------------------------------------------------------------------------------
-std::string vtkOITPeelState::AssembleResolve(
-  const char* stage, const std::string& definitions) const
+void vtkOITPeelState::AddResolve(vtkOITShaderText& text) const
 {
-  std::string header = vtkOITRequireExtensions({ "GL_ARB_explicit_attrib_location" }) + definitions;
+  text.Require({ "GL_ARB_explicit_attrib_location" });
   if (this->InPlace)
   {
-    header = vtkOITRequireExtensions(
-               { "GL_EXT_shader_framebuffer_fetch", "GL_ARB_shader_image_load_store" }) +
-      header + "#define OIT_IN_PLACE\nlayout(early_fragment_tests) in;\n";
+    text.Require({ "GL_EXT_shader_framebuffer_fetch", "GL_ARB_shader_image_load_store" });
+    text.Define("OIT_IN_PLACE").TestDepthEarly();
   }
-  std::string text = stage;
-  vtkOITReplace(text, "//VTK::System::Dec", "//VTK::System::Dec\n" + header);
-  vtkOITReplace(text, "//VTK::OIT::State", vtkOITPeelStateFS);
-  vtkOITReplace(text, "//VTK::OIT::Group", vtkOITGroupFS);
-  return text;
+  text.Insert("State", vtkOITPeelStateFS).Insert("Group", vtkOITGroupFS);
 }
 
 //------------------------------------------------------------------------------
-void vtkOITPeelState::Resolve(vtkOITScreenStage& stage,
-  const std::function<std::string()>& getFragmentShader,
+vtkOITFailure vtkOITPeelState::Resolve(vtkOITScreenStage& stage,
+  const std::function<vtkOITShaderText()>& getFragmentShader,
   const std::function<void(vtkShaderProgram*)>& setUniforms)
 {
   vtkOpenGLState* state = this->Frame->GLState;
@@ -192,8 +192,11 @@ void vtkOITPeelState::Resolve(vtkOITScreenStage& stage,
   {
     this->Current = 1 - this->Current;
   }
-  this->StateFramebuffers[this->Current].Bind(
-    this->Frame->Window, this->Arrays[this->Current].GetAllLayers(), this->MaskDepth.GetLayer(0));
+  if (vtkOITFailure failure = this->StateFramebuffers[this->Current].Bind(this->Frame->Window,
+        this->Arrays[this->Current].GetAllLayers(), this->MaskDepth.GetLayer(0)))
+  {
+    return failure;
+  }
   state->vtkglDisable(GL_BLEND);
   const bool isFront = this->Side == MaskSide::Front;
   // Finished pixels have the depth that nothing passes. Not in place, they have to be copied.
@@ -211,30 +214,42 @@ void vtkOITPeelState::Resolve(vtkOITScreenStage& stage,
   this->SetScissorOfResolve();
   vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
   state->vtkglDisable(GL_CULL_FACE);
-  stage.Render(this->Frame->Window, vtkOITFullScreenVS, getFragmentShader,
+  vtkOITFailure failure = stage.Render(
+    this->Frame->Window, vtkOITFullScreenVS,
+    [&]
+    {
+      vtkOITShaderText text = getFragmentShader();
+      this->AddResolve(text);
+      return text.GetText();
+    },
     [&](vtkShaderProgram* program)
     {
       if (program->IsUniformUsed("oitState"))
       {
-        previous.Bind(state, StateUnit);
-        program->SetUniformi("oitState", StateUnit);
+        previous.Bind(state, OIT_UNIT_STATE);
+        program->SetUniformi("oitState", OIT_UNIT_STATE);
       }
       program->SetUniformf(
         "oitTransmittanceThreshold", static_cast<float>(this->TransmittanceThreshold));
       setUniforms(program);
     });
   state->vtkglDepthFunc(GL_LEQUAL);
+  return failure;
 }
 
 //------------------------------------------------------------------------------
 // Where layers are peeled from both sides these take turns, so that props which are peeled from the
 // front and props which are peeled from the back are both found out.
-void vtkOITPeelState::Mask(std::size_t peel)
+vtkOITFailure vtkOITPeelState::Mask(std::size_t peel)
 {
   vtkOpenGLState* state = this->Frame->GLState;
   const bool isFront = !this->TheLayout.HasBack || peel % 2 != 0;
   this->Side = isFront ? MaskSide::Front : MaskSide::Back;
-  this->MaskFramebuffer.Bind(this->Frame->Window, {}, this->MaskDepth.GetLayer(0));
+  if (vtkOITFailure failure =
+        this->MaskFramebuffer.Bind(this->Frame->Window, {}, this->MaskDepth.GetLayer(0)))
+  {
+    return failure;
+  }
   state->vtkglDepthMask(GL_TRUE);
   this->Region.SetScissor();
   const float finished = isFront ? 1.0f : 0.0f;
@@ -243,67 +258,59 @@ void vtkOITPeelState::Mask(std::size_t peel)
   state->vtkglDepthFunc(GL_ALWAYS);
   vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
   state->vtkglDisable(GL_CULL_FACE);
-  this->MaskStages[isFront ? 0 : 1].Render(
+  vtkOITFailure failure = this->MaskStages[isFront ? 0 : 1].Render(
     this->Frame->Window, vtkOITFullScreenVS,
     [isFront]
-    {
-      std::string text = vtkOITPeelMaskFS;
-      vtkOITReplace(text, "//VTK::System::Dec",
-        std::string("//VTK::System::Dec\n") + (isFront ? "#define OIT_MASK_FRONT\n" : ""));
-      return text;
-    },
+    { return vtkOITShaderText({ vtkOITPeelMaskFS }).Define("OIT_MASK_FRONT", isFront).GetText(); },
     [this](vtkShaderProgram* program) { this->BindFor(program); },
     [this, peel](const std::function<void()>& draw) { this->Region.Count(peel, draw); });
   state->vtkglDepthMask(GL_FALSE);
   state->vtkglDepthFunc(GL_LEQUAL);
   this->HasMask = true;
+  return failure;
 }
 
 //------------------------------------------------------------------------------
 void vtkOITPeelState::BindFor(vtkShaderProgram* program) const
 {
-  this->Arrays[this->Current].Bind(this->Frame->GLState, StateUnit);
-  program->SetUniformi("oitState", StateUnit);
+  this->Arrays[this->Current].Bind(this->Frame->GLState, OIT_UNIT_STATE);
+  program->SetUniformi("oitState", OIT_UNIT_STATE);
 }
 
 //------------------------------------------------------------------------------
 void vtkOITPeelState::SetDepthTest(vtkShaderProgram* program) const
 {
   const vtkOITTarget& target = this->Frame->Target;
-  const bool testsDepth = this->HasMask && this->TestsDepth && target.DepthBits > 0;
+  const bool testsDepth = this->HasMask && target.TestsDepth && target.DepthBits > 0;
   if (testsDepth)
   {
-    this->OpaqueDepth.Bind(this->Frame->GLState, OpaqueUnit);
+    this->OpaqueDepth.Bind(this->Frame->GLState, OIT_UNIT_DEPTH);
   }
   program->SetUniformi("oitTestsDepth", testsDepth ? 1 : 0);
-  program->SetUniformi("oitOpaqueDepth", OpaqueUnit);
-  program->SetUniformi(
-    "oitDepthBits", !target.FloatDepth && target.DepthBits <= 24 ? target.DepthBits : 0);
+  program->SetUniformi("oitOpaqueDepth", OIT_UNIT_DEPTH);
+  program->SetUniformi("oitDepthBits", target.GetFixedDepthBits());
+  program->SetUniformi("oitDepthFunction", target.GetDepthRelations());
 }
 
 //------------------------------------------------------------------------------
-void vtkOITPeelState::Composite()
+vtkOITFailure vtkOITPeelState::Composite()
 {
-  this->Composite(
+  return this->Composite(
     this->CompositeStage,
     [this]
     {
-      std::string text = vtkOITPeelCompositeFS;
-      if (this->TheLayout.HasBack)
-      {
-        vtkOITReplace(text, "//VTK::System::Dec", "//VTK::System::Dec\n#define OIT_BACK 3\n");
-      }
-      return text;
+      return vtkOITShaderText({ vtkOITPeelCompositeFS })
+        .Define("OIT_HAS_BACK", this->TheLayout.HasBack);
     },
     [this](vtkShaderProgram* program) { this->BindFor(program); });
 }
 
 //------------------------------------------------------------------------------
-void vtkOITPeelState::Composite(vtkOITOutputStage& stage,
-  const std::function<std::string()>& getFragmentShader,
+vtkOITFailure vtkOITPeelState::Composite(vtkOITOutputStage& stage,
+  const std::function<vtkOITShaderText()>& getFragmentShader,
   const std::function<void(vtkShaderProgram*)>& setUniforms)
 {
-  stage.Render(*this->Frame, getFragmentShader,
+  return stage.Render(*this->Frame, getFragmentShader,
     [&](vtkShaderProgram* program)
     {
       const int origin[2] = { this->Storage.X, this->Storage.Y };
@@ -313,27 +320,29 @@ void vtkOITPeelState::Composite(vtkOITOutputStage& stage,
 }
 
 //------------------------------------------------------------------------------
-bool vtkOITPeelState::IsFirstPeelComplete()
+vtkOITFailure vtkOITPeelState::IsFirstPeelComplete(bool& isComplete)
 {
-  vtkOpenGLState::ScopedglEnableDisable cull(this->Frame->GLState, GL_CULL_FACE);
-  const bool isComplete = this->Reduce().Lost == 0;
-  this->Frame->ShiftViewport(this->Band, this->Storage);
+  vtkOITFailure failure = this->Reduce(this->Reduced);
+  isComplete = !failure && this->Reduced.Lost == 0;
+  this->Frame->BeginStorage(this->Band, this->Storage);
   this->IsReduced = isComplete;
-  return isComplete;
+  return failure;
 }
 
 //------------------------------------------------------------------------------
-vtkOITPixelStatistics::Result vtkOITPeelState::Reduce()
+vtkOITFailure vtkOITPeelState::Reduce(vtkOITPixelStatistics::Result& result)
 {
-  vtkOITTextureArray::Unbind(this->Frame->GLState, GatheredUnit);
-  this->OpaqueDepth.Unbind(this->Frame->GLState, OpaqueUnit);
-  if (!this->IsReduced)
+  vtkOITTextureArray::Unbind(this->Frame->GLState, OIT_UNIT_GATHERED);
+  this->OpaqueDepth.Unbind(this->Frame->GLState, OIT_UNIT_DEPTH);
+  if (this->IsReduced)
   {
-    this->Reduced = this->Statistics.Reduce(*this->Frame, this->Arrays[this->Current],
-      { this->Band.X - this->Storage.X, this->Band.Y - this->Storage.Y, this->Band.Width,
-        this->Band.Height });
+    result = this->Reduced;
+    return {};
   }
-  return this->Reduced;
+  return this->Statistics.Reduce(*this->Frame, this->Arrays[this->Current],
+    { this->Band.X - this->Storage.X, this->Band.Y - this->Storage.Y, this->Band.Width,
+      this->Band.Height },
+    result);
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #include "Private/GL/vtkOITOutput.h"
 #include "Private/GL/vtkOITPixelStatistics.h"
 #include "Private/GL/vtkOITScreenStage.h"
+#include "Private/GL/vtkOITShaderText.h"
 #include "Private/GL/vtkOITTextureArray.h"
 #include "Private/Peeling/vtkOITPeelRegion.h"
 
@@ -16,7 +17,7 @@
 #include <functional>
 #include <string>
 
-class vtkOITFrame;
+struct vtkOITFrame;
 class vtkShaderProgram;
 
 /**
@@ -46,11 +47,6 @@ public:
     bool StartsInResolve = false;
   };
 
-  /// The texture units used, from 0; mappers count theirs up from 0 and GL has at least 16.
-  static constexpr int StateUnit = 13;
-  static constexpr int GatheredUnit = 14;
-  static constexpr int OpaqueUnit = 15;
-
   /// Whether shaders of this frame read and write the state in place, as colour buffers.
   static bool CanWorkInPlace(const vtkOITFrame& frame);
 
@@ -60,40 +56,42 @@ public:
   /// Starts the pixels of `band`: nothing peeled, everything inside the bounds. Viewport and
   /// scissor are set for drawing into layers. `storage` has the band and the pixel that becomes
   /// texel (0, 0).
-  void Begin(const vtkOITFrame& frame, const vtkOITRectangle& band, const vtkOITRectangle& storage,
-    const Layout& layout, double transmittanceThreshold, bool countsPixels);
+  vtkOITFailure Begin(const vtkOITFrame& frame, const vtkOITRectangle& band,
+    const vtkOITRectangle& storage, const Layout& layout, double transmittanceThreshold,
+    bool countsPixels);
 
   /// Binds textures of the method for a geometry pass, under the depth test against opaque geometry
   /// until there is a Mask, then under that. `clear` clears them, where they will be read.
-  bool BindForGather(vtkOITFramebuffer& framebuffer, const std::vector<vtkOITAttachment>& colors,
-    const std::function<void()>& clear);
+  vtkOITFailure BindForGather(vtkOITFramebuffer& framebuffer,
+    const std::vector<vtkOITAttachment>& colors, const std::function<void()>& clear);
 
   /// Draws all pixels that are not finished with the method's Resolve stage.
-  void Resolve(vtkOITScreenStage& stage, const std::function<std::string()>& getFragmentShader,
+  /// The text has what AddResolve() adds.
+  vtkOITFailure Resolve(vtkOITScreenStage& stage,
+    const std::function<vtkOITShaderText()>& getFragmentShader,
     const std::function<void(vtkShaderProgram*)>& setUniforms);
-  /// What Resolve stages put in place of //VTK::System::Dec and //VTK::OIT::State.
-  std::string AssembleResolve(const char* stage, const std::string& definitions) const;
 
   /// Draws the Mask of the region after this peel; counts the pixels that are not finished.
-  void Mask(std::size_t peel);
+  vtkOITFailure Mask(std::size_t peel);
 
   /// Where pixels are left to peel. Gather and Mask are limited to it, Resolve is in place.
   vtkOITPeelRegion& GetRegion() { return this->Region; }
 
   /// After Gather of the first peel, which has noted what it had no room for as lost: whether
   /// there is nothing of that. Waits for it.
-  bool IsFirstPeelComplete();
+  vtkOITFailure IsFirstPeelComplete(bool& isComplete);
 
-  /// Draws into the framebuffer of the frame. Viewport and scissor as the frame has them. By a
-  /// stage of the method, when it has what is peeled in another form.
+  /// Draws over the target of the frame, which is bound for output. By a stage of the method, when
+  /// it has what is peeled in another form.
   ///@{
-  void Composite();
-  void Composite(vtkOITOutputStage& stage, const std::function<std::string()>& getFragmentShader,
+  vtkOITFailure Composite();
+  vtkOITFailure Composite(vtkOITOutputStage& stage,
+    const std::function<vtkOITShaderText()>& getFragmentShader,
     const std::function<void(vtkShaderProgram*)>& setUniforms);
   ///@}
-  vtkOITPixelStatistics::Result Reduce();
+  vtkOITFailure Reduce(vtkOITPixelStatistics::Result& result);
 
-  /// Binds the state to StateUnit and sets the uniform oitState.
+  /// Binds the state to its texture unit and sets the uniform oitState.
   void BindFor(vtkShaderProgram* program) const;
 
   /// For Gather stages that test against opaque geometry themselves once there is a Mask, because
@@ -111,6 +109,7 @@ public:
 
 private:
   void SetScissorOfResolve() const;
+  void AddResolve(vtkOITShaderText& text) const;
 
   const vtkOITFrame* Frame = nullptr;
   vtkOITRectangle Band;
@@ -119,8 +118,6 @@ private:
   vtkOITPeelRegion Region;
   double TransmittanceThreshold = 0.0;
   bool InPlace = false;
-  bool TestsDepth = true;          // as the frame has it
-  GLint DepthFunction = GL_LEQUAL; // as the frame has it
   bool HasMask = false;
   MaskSide Side = MaskSide::Front; // of the Mask
 

@@ -3,41 +3,51 @@
 #ifndef vtkOITPeeler_h
 #define vtkOITPeeler_h
 
+#include "Private/Engine/vtkOITGather.h"
+#include "Private/Frame/vtkOITCapabilities.h"
+#include "Private/Frame/vtkOITFailure.h"
 #include "Private/Peeling/vtkOITPeelState.h"
-#include "vtkType.h" // for vtkMTimeType
 
 #include <functional>
 #include <string>
 
 class vtkProp;
+struct vtkOITSettings;
+struct vtkOITStatistics;
 
 /// What a peeler works with during a frame (or a band of it).
 struct vtkOITPeelContext
 {
-  vtkOITFrame& Frame;
+  const vtkOITFrame& Frame;
   vtkOITPeelState& State;
   /// In the last frame the first peel of this band had all layers.
   bool ExpectsAll;
-  /// One geometry pass: the props are drawn by their mappers' shaders after WrapGather().
+  /// One geometry pass: the props are drawn under the peeler's gather.
   std::function<void()> RenderGeometry;
 };
 
 /**
- * The part of a peeling pass that differs from method to method. vtkOITPeelingPass runs it:
- * Begin(), then Peel() until the Mask finds no pixel with fragments left, then, if it was stopped
- * before, PeelRest().
+ * The part of peeling that differs from method to method. vtkOITPeelingEngine runs it: Begin(),
+ * then Peel() until the Mask finds no pixel with fragments left, then, if it was stopped before,
+ * PeelRest().
  */
 class vtkOITPeeler
 {
 public:
   virtual ~vtkOITPeeler() = default;
 
+  /// Empty, or one line that says what the context lacks for this method.
+  virtual std::string FindMissing(
+    const vtkOITCapabilities& capabilities, const vtkOITSettings&) const
+  {
+    return capabilities.GetMissingForPeeling();
+  }
+
   /// Peels that only prepare; they do not count for MaximumNumberOfPeels.
   virtual int GetNumberOfSetUpPeels() const { return 0; }
 
-  /// Chooses the shaders and the memory for a frame; before everything below. `hasFloatColor`: the
-  /// colours of fragments are kept as floats instead of half floats.
-  virtual void Prepare(const vtkOITFrame&, bool /*hasFloatColor*/) {}
+  /// Chooses the shaders and the memory for a frame; before everything below.
+  virtual void Prepare(const vtkOITFrame& frame, const vtkOITSettings& settings) = 0;
 
   virtual vtkOITPeelState::Layout GetLayout(const vtkOITFrame& frame) const = 0;
   /// Bytes per pixel beside those of the state.
@@ -48,24 +58,26 @@ public:
   virtual bool CanCullProps() const { return true; }
 
   /// Reserves memory for the band. The state has been started.
-  virtual void Begin(const vtkOITPeelContext& context) = 0;
+  virtual vtkOITFailure Begin(const vtkOITPeelContext& context) = 0;
   /// The peel of this number, from 0: geometry passes, then Resolve of the state.
-  virtual void Peel(const vtkOITPeelContext& context, int number) = 0;
+  virtual vtkOITFailure Peel(const vtkOITPeelContext& context, int number) = 0;
   /// Blends all that is left as one group, out of order: one geometry pass.
-  virtual void PeelRest(const vtkOITPeelContext& context) = 0;
+  virtual vtkOITFailure PeelRest(const vtkOITPeelContext& context) = 0;
 
   /// After a peel: it has all there is, not in the state but for Composite() of the peeler, and
   /// peeling ends. May only be when the context expects it.
   virtual bool HasAll() const { return false; }
-  virtual void Composite(const vtkOITPeelContext&) {}
+  virtual vtkOITFailure Composite(const vtkOITPeelContext&) { return {}; }
 
-  /// Changes a mapper's fragment shader into the Gather stage. False when it has no main().
-  virtual bool WrapGather(std::string& fragmentShader) const = 0;
-  /// Of a program made by WrapGather(), before each draw of a prop during RenderGeometry().
+  /// The stage of the geometry pass that comes next.
+  virtual vtkOITGather& GetGather() = 0;
+  /// Of a program of the gather, before each draw of a prop during RenderGeometry().
   virtual void SetUniforms(
     vtkShaderProgram* program, vtkProp* prop, const vtkOITPeelContext& context) = 0;
-  /// When WrapGather() last changed.
-  virtual vtkMTimeType GetShaderMTime() const { return 0; }
+
+  /// The frame was drawn, and this came of it. True when the next frame may need another number of
+  /// peels than this one.
+  virtual bool Note(const vtkOITStatistics&) { return false; }
 
   virtual void Release() = 0;
 };

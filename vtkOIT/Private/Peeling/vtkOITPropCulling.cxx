@@ -2,17 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Peeling/vtkOITPropCulling.h"
 
-#include "Private/Frame/vtkOITFrame.h"
-
-#include <utility>
-
 //------------------------------------------------------------------------------
-void vtkOITPropCulling::Begin(vtkOITFrame& frame)
+void vtkOITPropCulling::Begin(vtkOpenGLRenderWindow* window, const std::vector<vtkProp*>& props)
 {
-  this->Window = frame.Window;
+  this->Window = window;
   this->Entries.clear();
   this->Index.clear();
-  for (vtkProp* prop : frame.GetProps())
+  for (vtkProp* prop : props)
   {
     const auto added = this->Index.emplace(prop, this->Entries.size());
     if (!added.second)
@@ -42,7 +38,7 @@ void vtkOITPropCulling::ReadResults(std::size_t slot)
 }
 
 //------------------------------------------------------------------------------
-bool vtkOITPropCulling::BeginPass(vtkOITFrame& frame)
+std::vector<vtkProp*> vtkOITPropCulling::BeginPass()
 {
   this->Slot = 1 - this->Slot;
   this->ReadResults(this->Slot); // of the pass before last; its queries are used anew
@@ -56,8 +52,7 @@ bool vtkOITPropCulling::BeginPass(vtkOITFrame& frame)
     }
   }
   this->Current = None;
-  frame.DrawOnly(std::move(left));
-  return frame.GetState()->GetPropArrayCount() > 0;
+  return left;
 }
 
 //------------------------------------------------------------------------------
@@ -92,15 +87,4 @@ void vtkOITPropCulling::EndPass()
     vtkOITOcclusionQueries::End();
     this->Current = None;
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkOITPropCulling::End(vtkOITFrame& frame)
-{
-  std::vector<vtkProp*> all;
-  for (const Entry& entry : this->Entries)
-  {
-    all.push_back(entry.Prop);
-  }
-  frame.DrawOnly(std::move(all));
 }

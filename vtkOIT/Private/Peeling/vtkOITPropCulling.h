@@ -9,7 +9,6 @@
 #include <unordered_map>
 #include <vector>
 
-class vtkOITFrame;
 class vtkProp;
 
 /**
@@ -23,17 +22,13 @@ class vtkOITPropCulling
 {
 public:
   /// Starts a frame with all its props.
-  void Begin(vtkOITFrame& frame);
+  void Begin(vtkOpenGLRenderWindow* window, const std::vector<vtkProp*>& props);
 
-  /// Starts a geometry pass: the frame's state holds only the props to be drawn. False when there
-  /// is none.
-  bool BeginPass(vtkOITFrame& frame);
+  /// Starts a geometry pass: the props to be drawn.
+  std::vector<vtkProp*> BeginPass();
   /// A prop is about to be drawn; called once or several times in a row for each.
   void Draw(vtkProp* prop);
   void EndPass();
-
-  /// The frame's state holds all props again.
-  void End(vtkOITFrame& frame);
 
   void Release() { this->Queries.Release(); }
 

@@ -16,6 +16,8 @@
 
 #ifdef OIT_HEAD_IN_TARGET
 inout uint oitHead;
+#elif defined(OIT_WRITES_DEPTH) && !defined(OIT_TEST_DEPTH)
+#define OIT_TEST_DEPTH
 #endif
 
 #ifdef OIT_TEST_DEPTH
@@ -27,22 +29,16 @@ uniform sampler2D oitOpaqueDepth;
 //VTK::OIT::DepthTest
 #endif
 
-#ifdef OIT_WRITES_DEPTH
-#define OIT_DEPTH gl_FragDepth
-#else
-#define OIT_DEPTH gl_FragCoord.z
-#endif
-
 void main()
 {
   oitShade();
 
-  float alpha = min(oitFragColor.a, 1.0);
-  if (!(alpha > 0.0)) // NaN, too: a layer without opacity leaves no trace
+  float opacity = oitGetOpacity();
+  if (opacity == 0.0)
   {
     return;
   }
-  float depth = clamp(OIT_DEPTH, 0.0, 1.0);
+  float depth = oitGetDepth();
   ivec2 pixel = ivec2(gl_FragCoord.xy) - oitOrigin;
 
 #if OIT_SAMPLES > 0
@@ -67,8 +63,8 @@ void main()
   }
 #endif
 
-  uint key = floatBitsToUint(depth) & 0x7fffffffu; // -0 as +0
-  OITColor color = oitPack(vec4(oitFragColor.rgb, alpha));
+  uint key = floatBitsToUint(depth);
+  OITColor color = oitPack(vec4(oitFragColor.rgb, opacity));
 #ifdef OIT_HEAD_IN_TARGET
   // The next node of the page of the pixel's last fragment, or the first one of a new page. The
   // test of the colour is never true: halves are at most 0x7bff. Without it, LLVM moves the packing

@@ -13,10 +13,8 @@
 // Defined by the pass: OIT_WIDE_NODES, OIT_FLOAT_COLOR, OIT_NODES_IN_IMAGE (the pool is larger than
 // a storage block may be, so it is reached as a buffer texture), OIT_SAMPLES.
 
-// Node 0 is never used: llvmpipe gives 0 to pixels of a block that are not covered but run along,
-// and a walk over a list must end for them, too.
-const uint OIT_END = 0u;
-const uint OIT_LEFT = 0x80000000u;   // bit of a head: the pixel is left for Sort and Composite
+// Node 0 is never used, it is the end of a list: llvmpipe gives 0 to pixels of a block that are not
+// covered but run along, and a walk over a list must end for them, too.
 const uint OIT_NO_KEY = 0xffffffffu; // sorts behind every depth
 
 #ifdef OIT_FLOAT_COLOR
@@ -25,7 +23,7 @@ const uint OIT_NO_KEY = 0xffffffffu; // sorts behind every depth
 #define OITColor uvec2
 #endif
 
-layout(binding = 0, r32ui) uniform uimage2D oitHeads;
+layout(binding = OIT_IMAGE_HEADS, r32ui) uniform uimage2D oitHeads;
 
 struct OITTile
 {
@@ -33,7 +31,7 @@ struct OITTile
   uint Marked;     // that number, in tiles with marks
   uint Fragments;  // of all pixels
 };
-layout(std430, binding = 0) buffer OITCounters
+layout(std430, binding = OIT_BUFFER_COUNTERS) buffer OITCounters
 {
   uint oitNodeCount; // goes on counting beyond the capacity: the size that is needed
   uint oitOverflow;      // set once the capacity is passed, stays when the count wraps
@@ -41,10 +39,6 @@ layout(std430, binding = 0) buffer OITCounters
   uint oitUnused;
   OITTile oitTiles[];
 };
-const uint OIT_TRY_AGAIN = 0x20000000u;  // tile: some pixels need a second chance
-const uint OIT_HAS_LISTS = 0x40000000u;  // tile: some pixels are left for Sort and Composite
-
-const uint OIT_PAGE_SIZE = 4u; // nodes
 
 uniform int oitCapacity; // nodes, the unused one included
 uniform ivec2 oitOrigin; // framebuffer pixel of oitHeads' texel (0, 0)
@@ -52,7 +46,6 @@ uniform ivec2 oitCorner; // lower left pixel of the rectangle that is being rend
 uniform ivec2 oitSize;   // of that rectangle
 
 // Tiles are aligned to multiples of their size in the framebuffer, as rasterizers have them.
-const int OIT_TILE_SIZE = 16;
 uniform ivec2 oitFirstTile; // column, row
 uniform int oitTileColumns;
 int oitFindTile()
@@ -62,7 +55,7 @@ int oitFindTile()
 }
 
 #ifdef OIT_NODES_IN_IMAGE
-layout(binding = 1, rgba32ui) uniform uimageBuffer oitNodes;
+layout(binding = OIT_IMAGE_NODES, rgba32ui) uniform uimageBuffer oitNodes;
 uvec4 oitLoad(uint word) { return imageLoad(oitNodes, int(word)); }
 uint oitLoadNext(uint word) { return imageLoad(oitNodes, int(word)).w; }
 void oitStore(uint word, uvec4 value) { imageStore(oitNodes, int(word), value); }
@@ -73,11 +66,11 @@ void oitStoreNext(uint word, uint next)
   imageStore(oitNodes, int(word), value);
 }
 #else
-layout(std430, binding = 1) buffer OITNodes
+layout(std430, binding = OIT_BUFFER_NODES) buffer OITNodes
 {
   uvec4 oitNodes[];
 };
-layout(std430, binding = 1) buffer OITNodeWords // the same memory: llvmpipe loads all of a vector
+layout(std430, binding = OIT_BUFFER_NODES) buffer OITNodeWords // the same memory: llvmpipe loads all of a vector
 {
   uint oitNodeWords[];
 };

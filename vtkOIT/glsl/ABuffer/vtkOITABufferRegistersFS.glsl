@@ -36,9 +36,9 @@
 
 // Composites, front to back. Lists of more than OIT_LONG_LIST fragments end at the threshold, as in
 // Composite; without it there are none in registers.
-#ifdef OIT_LONG_LIST
+#ifdef OIT_ENDS_LONG_LISTS
 uniform float oitThreshold; // of the transmittance
-#define OIT_IS_AT_END (count > OIT_LONG_LIST && transmittance <= oitThreshold)
+#define OIT_IS_AT_END (count > uint(OIT_LONG_LIST) && transmittance <= oitThreshold)
 #else
 #define OIT_IS_AT_END false
 #endif

@@ -58,7 +58,7 @@ void main()
   //VTK::OIT::Registers
   bool isLeft = isTied || node != OIT_END;
   oitNote(node == OIT_END ? count : 0u, isLeft);
-#ifdef OIT_LONG_LIST
+#ifdef OIT_ENDS_LONG_LISTS
   if (isLeft)
   {
     // SecondChance does not see coincident fragments behind the nearest of a long list.
@@ -70,7 +70,7 @@ void main()
   {
     discard;
   }
-#ifdef OIT_LONG_LIST
+#ifdef OIT_ENDS_LONG_LISTS
   if (OIT_IS_AT_END && transmittance > 0.0)
   {
     atomicMax(oitSkipped, floatBitsToUint(transmittance));

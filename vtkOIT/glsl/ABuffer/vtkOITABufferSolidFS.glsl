@@ -8,7 +8,7 @@
 void main()
 {
   oitShade();
-  if (!(oitFragColor.a >= 1.0)) // NaN, too
+  if (oitGetOpacity() < 1.0)
   {
     discard;
   }

@@ -33,9 +33,9 @@ void main()
   if (oitTileClass.x < 0)
   {
     oitNetworkSize = oitFindNetworkSize(expected);
-    isMine = (texelFetch(oitTileTexels, 4 + 3 * tile).x & uint(oitTileClass.y)) != 0u;
+    isMine = (texelFetch(oitTileTexels, OIT_COUNTER_WORDS + OIT_TILE_WORDS * tile).x & uint(oitTileClass.y)) != 0u;
   }
-  bool hasOverflown = texelFetch(oitTileTexels, 1).x != 0u; // the frame will be rendered again
+  bool hasOverflown = texelFetch(oitTileTexels, OIT_WORD_OVERFLOW).x != 0u; // the frame will be rendered again
   if (!isMine || hasOverflown)
   {
     gl_Position = vec4(-2.0, -2.0, 0.0, 1.0);

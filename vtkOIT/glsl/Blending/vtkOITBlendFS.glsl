@@ -13,13 +13,12 @@ void main()
   oitShade();
 #ifdef OIT_FRAMEBUFFER_FETCH
   // A mean of colours cannot overflow, and the target clamps it: they may be infinite.
-  float opacity = oitFragColor.a > 0.0 ? min(oitFragColor.a, 1.0) : 0.0;
+  float opacity = oitGetOpacity();
   if (opacity == 0.0)
   {
     return;
   }
-  vec3 color = mix(oitFragColor.rgb, vec3(0.0), isnan(oitFragColor.rgb));
-  oitWrite(opacity * color, 1.0 - opacity);
+  oitWrite(opacity * oitGetRGB(), 1.0 - opacity);
 #else
   vec4 color = oitGetColor();
   oitWrite(color.a * color.rgb, 1.0 - color.a);

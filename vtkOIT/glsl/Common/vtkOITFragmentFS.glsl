@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The fragment that a mapper's own shader, renamed oitShade(), has made: its depth as every pass
-// sees it, and its colour without what would spoil a sum. Shared by the methods that blend sums.
+// The fragment that a mapper's own shader, renamed oitShade(), has made: its depth, opacity and
+// colour as every method sees them.
 
 #ifdef OIT_WRITES_DEPTH
 #define OIT_DEPTH gl_FragDepth
@@ -16,13 +16,29 @@ float oitGetDepth()
   return abs(clamp(OIT_DEPTH, 0.0, 1.0));
 }
 
-// Opacity 0 when the fragment leaves no trace: also for an opacity that is not a number.
+// In [0, 1]; 0 when the fragment leaves no trace: also for an opacity that is not a number.
+float oitGetOpacity()
+{
+  return oitFragColor.a > 0.0 ? min(oitFragColor.a, 1.0) : 0.0;
+}
+
+// Without what is not a number. In a fixed-point target OpenGL would clamp it before it blends
+// (OIT_CLAMP_COLOR); otherwise it may be infinite.
+vec3 oitGetRGB()
+{
+  vec3 color = mix(oitFragColor.rgb, vec3(0.0), isnan(oitFragColor.rgb));
+#ifdef OIT_CLAMP_COLOR
+  return clamp(color, vec3(0.0), vec3(1.0));
+#else
+  return color;
+#endif
+}
+
+// Colour and opacity, finite, so that sums are.
 vec4 oitGetColor()
 {
   const float largest = 1e30;
-  vec3 color = mix(oitFragColor.rgb, vec3(0.0), isnan(oitFragColor.rgb));
-  float opacity = oitFragColor.a > 0.0 ? min(oitFragColor.a, 1.0) : 0.0;
-  return vec4(clamp(color, vec3(-largest), vec3(largest)), opacity);
+  return vec4(clamp(oitGetRGB(), vec3(-largest), vec3(largest)), oitGetOpacity());
 }
 
 // -log(1 - opacity), also where 1 - opacity would lose the digits of a faint layer. Bounded, so

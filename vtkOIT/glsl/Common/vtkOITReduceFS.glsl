@@ -19,7 +19,7 @@ void main()
   {
     for (int x = from.x; x <= to.x; ++x)
     {
-      vec4 pixel = texelFetch(oitState, ivec3(x, y, 1), 0);
+      vec4 pixel = texelFetch(oitState, ivec3(x, y, OIT_STATE_STATISTICS), 0);
       sums.xw += pixel.xw;
       sums.yz = max(sums.yz, pixel.xz);
     }

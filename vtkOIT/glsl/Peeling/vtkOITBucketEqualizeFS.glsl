@@ -39,7 +39,7 @@ void main()
   }
   int share = max((used + 31) / 32, 1); // bins of a bucket
   int seen = 0;
-  for (int bin = 0; bin < 1024; ++bin)
+  for (int bin = 0; bin < OIT_BINS; ++bin)
   {
     if (((words[bin / 32] >> uint(bin - 32 * (bin / 32))) & 1u) != 0u)
     {

@@ -31,7 +31,7 @@ uniform sampler2DArray oitBucketBounds; // the last bin of each bucket, ascendin
 
 int oitGetBin(float position)
 {
-  return min(int(position * 1024.0), 1023);
+  return min(int(position * float(OIT_BINS)), OIT_BINS - 1);
 }
 #ifndef OIT_HISTOGRAM
 int oitFindBucket(float position)

@@ -54,7 +54,7 @@ void main()
   oitShade();
   float depth = oitGetDepth();
   vec4 color = oitGetColor();
-  vec2 bounds = texelFetch(oitState, ivec3(gl_FragCoord.xy, 2), 0).xy;
+  vec2 bounds = texelFetch(oitState, ivec3(gl_FragCoord.xy, OIT_STATE_BOUNDS), 0).xy;
   bool isLeft = color.a > 0.0 && depth >= bounds.x && depth <= bounds.y;
   int bucket = isLeft ? oitFindBucket(oitGetPosition(depth, bounds)) : -1;
 

@@ -19,7 +19,7 @@ void main()
 {
   oitShade();
   float depth = oitGetDepth();
-  vec2 bounds = texelFetch(oitState, ivec3(gl_FragCoord.xy, 2), 0).xy;
+  vec2 bounds = texelFetch(oitState, ivec3(gl_FragCoord.xy, OIT_STATE_BOUNDS), 0).xy;
   bool isLeft = oitGetColor().a > 0.0 && depth >= bounds.x && depth <= bounds.y;
   int bin = oitGetBin(oitGetPosition(depth, bounds));
   int word = bin / 32;

@@ -11,9 +11,7 @@
 // The key is the bits of the depth, a float in [0, 1], plus 1. The ratio is that of the sum of
 // opacities to the opacity of the group: 1 for a single fragment, and larger for a true group.
 
-#define OIT_NO_NEAR 0x7fffffff // behind all others
-#define OIT_NO_FAR 0           // before all others
-#define OIT_MORE 0x40000000    // of the last key: layers were left out
+#define OIT_MORE 0x40000000 // of the last key: layers were left out
 #define OIT_LAYERS (2 * OIT_SIDE)
 
 #ifdef OIT_FLOAT_COLOR

@@ -35,7 +35,7 @@ void main()
 #ifdef OIT_IN_PLACE
   vec2 bounds = oitBounds.xy;
 #else
-  vec2 bounds = texelFetch(oitState, ivec3(gl_FragCoord.xy, 2), 0).xy;
+  vec2 bounds = texelFetch(oitState, ivec3(gl_FragCoord.xy, OIT_STATE_BOUNDS), 0).xy;
 #endif
   bool isLeft = color.a > 0.0 && depth >= bounds.x && depth <= bounds.y;
   bool isFront = isLeft && (oitRest != 0 || depth == bounds.x);

@@ -86,7 +86,7 @@ void main()
   oitShade();
   float depth = oitGetDepth();
   vec4 color = oitGetColor();
-  vec4 bounds = texelFetch(oitState, ivec3(gl_FragCoord.xy, 2), 0);
+  vec4 bounds = texelFetch(oitState, ivec3(gl_FragCoord.xy, OIT_STATE_BOUNDS), 0);
   bool isLeft = color.a > 0.0 && bounds.x <= bounds.y && depth >= bounds.x;
   if (oitTestsDepth != 0)
   {

@@ -10,7 +10,6 @@
 // Depths are the bits of a float in [0, 1], so they sort as integers and have two bits to spare. The
 // identity tells coincident fragments apart: fragments are ordered by depth, then by identity.
 
-#define OIT_EMPTY 0x3fffffffu // a depth behind all others
 #define OIT_DEPTH_MASK 0x3fffffffu
 #define OIT_MORE 0x80000000u // of the last depth: fragments behind it were left out
 #define OIT_TIED 0x40000000u // of the last depth: one of them had the same depth
@@ -24,7 +23,7 @@ uniform usampler2DArray oitSlots;
 #define OIT_STORE_SLOT(i) oitSlot##i = slots[i];
 #elif defined(OIT_INTERLOCK) // Gather, one fragment of a pixel after the other
 layout(pixel_interlock_ordered) in;
-layout(binding = 0, rgba32ui) coherent uniform uimage2DArray oitSlots;
+layout(binding = OIT_IMAGE_SLOTS, rgba32ui) coherent uniform uimage2DArray oitSlots;
 #define OIT_SLOT_BUFFER(i)
 #define OIT_LOAD_SLOT(i) slots[i] = imageLoad(oitSlots, ivec3(gl_FragCoord.xy, i));
 #define OIT_STORE_SLOT(i) imageStore(oitSlots, ivec3(gl_FragCoord.xy, i), slots[i]);

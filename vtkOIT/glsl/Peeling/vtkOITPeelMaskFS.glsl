@@ -10,7 +10,7 @@ uniform sampler2DArray oitState;
 
 void main()
 {
-  vec2 bounds = texelFetch(oitState, ivec3(gl_FragCoord.xy, 2), 0).xy;
+  vec2 bounds = texelFetch(oitState, ivec3(gl_FragCoord.xy, OIT_STATE_BOUNDS), 0).xy;
   if (!(bounds.x <= bounds.y))
   {
     discard;

@@ -11,7 +11,7 @@ stage.py          a scene as every method gets it
 contenders.py     all methods by name, each in a window of its own
 gpu.py            timer queries of a GPU
 measure.py        interleaved frames, medians and spread
-truth.py          the right picture, in double precision from captured fragments
+truth.py          the right picture, in double precision by ../reference.py from captured fragments
 accuracy.py       errors of a picture against the truth
 record.py         what is kept of a method in a scene
 store.py          results on disk, so that an interrupted run can go on

@@ -5,7 +5,9 @@
 import collections
 import time
 
-from ..errors import Error, capture
+from .. import method_option
+from ..drawn import Drawn
+from ..errors import capture
 from ..passes import create, methods
 from ..windows import make_window
 from . import gpu
@@ -51,25 +53,7 @@ def names(quick=False):
 def parse(name):
     """(method, properties) of a str such as multilayer:NumberOfLayersPerPass=16,OcclusionRatio=0.1:
     str, and dict of str to str. Raises Error for what does not exist."""
-    method, _, rest = name.partition(":")
-    properties = {}
-    for text in filter(None, rest.split(",")):
-        key, equals, value = text.partition("=")
-        if not equals or not value:
-            raise Error("--methods %s: give METHOD:NAME=VALUE,NAME=VALUE" % name)
-        properties[key] = value
-    if method in VTK:
-        if properties:
-            raise Error("--methods %s: VTK's methods take no properties here" % name)
-        return method, properties
-    if method not in methods():
-        raise Error("--methods %s: unknown; there are: %s" % (
-            method, " ".join(list(VTK) + methods())))
-    try:
-        create(method, **properties)
-    except ValueError as error:
-        raise Error("--methods %s: %s" % (name, error)) from None
-    return method, properties
+    return method_option.parse(name, VTK)
 
 
 def make_pass(name):
@@ -106,6 +90,7 @@ class Contender:
         self.name = name
         self.renderer = renderer
         translucent, self.oit = make_pass(name)
+        self.drawn = self.oit and Drawn(parse(name)[0], self.oit)
         self.steps = vtkRenderStepsPass()
         self.steps.SetTranslucentPass(translucent)
         self.renderer.SetPass(self.steps)
@@ -152,6 +137,10 @@ class Contender:
         if self.oit is None:
             return ""
         return " ".join(self.oit.GetMissingCapability(self.window).split())
+
+    def why_other(self):
+        """Why another method drew the last frame in this one's place, str; empty when none did."""
+        return self.drawn.why_other(self.window) if self.oit else ""
 
     def close(self):
         """Frees the window and what is on its context."""

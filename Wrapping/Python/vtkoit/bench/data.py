@@ -5,6 +5,7 @@
 import os
 
 from .. import camera, colors
+from ..errors import printable
 from ..read import parse_raw, read_all
 from ..scene import opacity_of
 from ..surfaces import Request, make_surfaces
@@ -76,7 +77,7 @@ def scenes():
 
 def file_scene(path):
     """A Scene of a file that the user names, drawn as the command render draws it."""
-    return _scene(path, "the file %s" % os.path.basename(path), [path], None)
+    return _scene(printable(path), "the file %s" % printable(os.path.basename(path)), [path], None)
 
 
 def _scene(name, title, paths, opacities, raw=None, spacing=None, isovalues=None, contour=None,

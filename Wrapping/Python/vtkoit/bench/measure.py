@@ -30,7 +30,7 @@ Measured = collections.namedtuple("Measured", "timing statistics colors alpha re
 Measured.__doc__ = """timing: dict, as from timing(), or None when the method did not run. statistics: a
 contenders.Statistics, or None. colors: list of arrays of uint8, height x width x 3: the picture before and
 after all frames. alpha: array of uint8, height x width, over a transparent background, or None. reason: str,
-why it did not run."""
+why it did not run, or why another method drew in its place; empty for neither."""
 
 REFERENCE = "blend"  # what ratios refer to; always among those that run
 # Bytes of a pixel in the most expensive method's buffers and the window's own, and of a triangle.
@@ -107,11 +107,8 @@ class _Entrant:
         with capture() as captured:
             self.contender = stage.contender(name)
             self.first = self.contender.render()[0]
-            self.reason = self.contender.missing()
-            if not self.reason:
-                self._look()
-        if not self.reason and captured.errors(1):
-            self.reason = captured.errors(1)
+            self._look()
+        self.reason = captured.errors(1)
 
     def _look(self):
         if self.first < 0.5 * self.settings.budget:
@@ -177,7 +174,7 @@ class _Entrant:
             statistics = statistics._replace(bytes=max(statistics.bytes, self.most_bytes))
         result = timing(self.times, self.still, reference.times)
         result["gpu_ms"] = 1000.0 * float(numpy.median(self.gpu)) if self.gpu else None
-        return Measured(result, statistics, self.colors, self.alpha, "")
+        return Measured(result, statistics, self.colors, self.alpha, self.contender.why_other())
 
 
 def timing(times, still, reference):

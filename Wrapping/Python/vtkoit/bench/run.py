@@ -6,7 +6,7 @@ import os
 import time
 
 from ..errors import Error
-from ..render import parse_size
+from ..values import parse_size
 from ..windows import headless
 from . import (
     catalogue,

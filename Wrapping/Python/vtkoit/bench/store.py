@@ -103,7 +103,7 @@ def read_png(path):
     from vtkmodules.vtkIOImage import vtkPNGReader
 
     reader = vtkPNGReader()
-    reader.SetFileName(path)
+    reader.SetFileName(os.fsencode(path))
     reader.Update()
     image = reader.GetOutput()
     width, height, _ = image.GetDimensions()

@@ -6,7 +6,7 @@ import json
 import os
 
 from ..errors import Error
-from ..render import parse_size
+from ..values import parse_size
 from ..windows import headless
 from . import costs, document, growth, machine, plots, rounds, skips
 

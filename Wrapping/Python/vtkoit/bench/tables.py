@@ -48,7 +48,8 @@ def heading(result):
             "s"[:result["truth_layers"] != 1])
     if result.get("truth"):
         text += "; truth: " + {"fragments": "fragments in double precision",
-                               "abuffer": "the picture of abuffer with float colours"}[result["truth"]]
+                               "abuffer": "the picture of abuffer with float colours",
+                               "peel": "the picture of peel, in steps of 8 bits"}[result["truth"]]
         if result.get("cross_check") is not None:
             text += ", peel differs by at most %.2f steps" % result["cross_check"]
     return text
@@ -88,6 +89,10 @@ def text(results):
             else:
                 cell = form % value
             cells.append("%*s" % (column, cell))
+        if result["reason"]:
+            cells.append("  drawn by %s: %s" % (result["algorithm"], result["reason"]))
+        elif result["method"].split(":")[0] == "auto":
+            cells.append("  drawn by %s" % result["algorithm"])
         lines.append("  %-*s" % (width, result["method"]) + "".join(cells))
     return lines
 

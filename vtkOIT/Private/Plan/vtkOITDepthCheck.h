@@ -3,6 +3,7 @@
 #ifndef vtkOITDepthCheck_h
 #define vtkOITDepthCheck_h
 
+#include "Private/Frame/vtkOITFrame.h"
 #include "Private/GL/vtkOITDepthCopy.h"
 #include "Private/GL/vtkOITOcclusionQueries.h"
 #include "Private/GL/vtkOITScreenStage.h"
@@ -16,10 +17,11 @@
 class vtkOITDepthCheck
 {
 public:
-  /// Keeps the depth of the frame's rectangle.
-  void Keep(const vtkOITFrame& frame);
+  /// Keeps the depth of the frame's rectangle. Changes the framebuffers bound.
+  vtkOITFailure Keep(const vtkOITFrame& frame);
 
   /// Compares with what was kept for the same rectangle. Waits for the opaque geometry to be drawn.
+  /// False when it cannot tell.
   bool IsUnchanged(const vtkOITFrame& frame);
 
   std::int64_t GetSizeInBytes() const

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Rasterisation of triangles in double precision by the rules of OpenGL, on the CPU.
+"""Rasterisation of triangles in double precision by the rules of OpenGL, on the CPU: fragments that no
+graphics library has touched, to check those that the A-buffer captures.
 
 A fragment is where a pixel's centre is inside a triangle; a centre on an edge belongs to one of the
 triangles that share it. Depth is interpolated in window space, normals in perspective.
@@ -17,13 +18,46 @@ _CHUNK = 1000000
 # this many pixels may come out turned over, and silhouettes on either side of a centre this close.
 _DOUBT = 1.0 / 64.0
 
+# Two fragments closer than this in window depth may swap: some units of a 24-bit depth.
+_DEPTH_TOLERANCE = 5e-7
 
-def rasterize(actor, camera, size):
-    """The fragments of a vtkActor: (pixel, depth, color, alpha) as in reference.Fragments, then the
-    pixels (int array) that rounding decides: with their centre within 1/64 pixel of a silhouette, of
-    an open edge, or of a triangle thinner than that.
 
-    camera: vtkCamera. size: (width, height), pixels. Rows count from the top.
+def rasterize(renderer, size):
+    """(fragments, certain) of a vtkRenderer, which should have no other light than a headlight.
+
+    size: (width, height), pixels. Drawn are its visible actors with vtkPolyDataMapper and
+    triangles: their colour, opacity, ambient and diffuse coefficients, with point normals where
+    they have them. Not scalars, textures, lines, specular light or clipping by the near plane.
+    fragments: float array, n x 7, as for vtkoit.reference.composite(). certain: bool array, height x
+    width: False where rounding decides what is seen: with the pixel's centre within 1/64 pixel of a
+    silhouette or an open edge, on triangles thinner than that, and where two unlike fragments are
+    too close to tell their order.
+    """
+    width, height = size
+    none = numpy.zeros(0, dtype=int)
+    parts = [(none, numpy.zeros(0), numpy.zeros((0, 3)), numpy.zeros(0), none)]
+    actors = renderer.GetActors()
+    actors.InitTraversal()
+    for _ in range(actors.GetNumberOfItems()):
+        actor = actors.GetNextActor()
+        if actor.GetVisibility() and actor.GetProperty().GetOpacity() > 0.0:
+            parts.append(_of_actor(actor, renderer.GetActiveCamera(), size))
+    pixel, depth, color, alpha, doubtful = [numpy.concatenate(part) for part in zip(*parts)]
+    certain = numpy.ones(height * width, dtype=bool)
+    certain[doubtful] = False
+    order = numpy.lexsort((depth, pixel))
+    both = numpy.c_[color, alpha][order]
+    close = (numpy.diff(pixel[order]) == 0) & (numpy.diff(depth[order]) < _DEPTH_TOLERANCE)
+    unlike = numpy.abs(numpy.diff(both, axis=0)).max(axis=1, initial=0.0) > 0.01
+    certain[pixel[order][1:][close & unlike]] = False
+    row = height - 1 - pixel // width
+    return (numpy.c_[pixel % width, row, depth, color, alpha], certain.reshape(height, width))
+
+
+def _of_actor(actor, camera, size):
+    """(pixel, depth, color, alpha, doubtful) of a vtkActor: pixel (int array, n; row * width + column,
+    rows from the top), depth (float array, n; smaller is closer), color (float array, n x 3) and alpha
+    (float array, n) of its fragments, and doubtful (int array), the pixels that rounding decides.
     """
     points, normals, triangles = _geometry(actor)
     if not len(triangles):

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkOITABufferEngine_h
+#define vtkOITABufferEngine_h
+
+#include "Private/ABuffer/vtkOITABufferResolver.h"
+#include "Private/ABuffer/vtkOITABufferShaders.h"
+#include "Private/ABuffer/vtkOITFragmentStore.h"
+#include "Private/ABuffer/vtkOITSolidDepth.h"
+#include "Private/ABuffer/vtkOITTrial.h"
+#include "Private/Engine/vtkOITEngine.h"
+#include "Private/Engine/vtkOITGather.h"
+#include "Private/Frame/vtkOITBands.h"
+#include "Private/GL/vtkOITDepthCopy.h"
+
+class vtkFloatArray;
+
+/// The A-buffer: see vtkOITABufferPass.
+class vtkOITABufferEngine : public vtkOITEngine
+{
+public:
+  std::string GetAlgorithmName(const vtkOITSettings&) const override { return "A-buffer"; }
+  std::string FindMissing(
+    const vtkOITCapabilities& capabilities, const vtkOITSettings& settings) const override;
+  bool UsesStorage() const override { return true; }
+  vtkOITFailure Draw(const vtkOITFrame& frame, const vtkOITSettings& settings,
+    vtkOITGeometry& geometry, vtkOITStatistics& statistics) override;
+  std::int64_t GetSizeInBytes() const override;
+  void Release() override;
+
+  /// Reads the fragments of the last frame back, as vtkOITABufferPass::GetFragments() describes
+  /// them. Empty, or one line that says why there are none.
+  std::string ReadFragments(vtkFloatArray* fragments) const;
+  /// There is no frame to read back any more.
+  void ForgetFrame() { this->NumberOfFragments = 0; }
+
+private:
+  /// A frame that is being drawn.
+  struct Task
+  {
+    const vtkOITFrame& Frame;
+    const vtkOITSettings& Settings;
+    vtkOITGeometry& Geometry;
+    vtkOITStatistics& Statistics;
+  };
+
+  void ChooseCapture(const Task& task);
+  void ChooseShaders(const Task& task);
+  std::int64_t GetLargestPool(const Task& task) const;
+  void DrawSolidDepth(const Task& task);
+  vtkOITFailure DrawBands(const Task& task);
+  vtkOITFailure DrawBand(const Task& task, std::int64_t& needed);
+  vtkOITFailure Capture(const Task& task);
+  vtkOITFailure BeginBand(const Task& task);
+  void SetUniforms(const Task& task, vtkShaderProgram* program);
+  void AddStatistics(const Task& task, const vtkOITFragmentStore::Counters& counters);
+
+  vtkOITFragmentStore Store;
+  vtkOITDepthCopy DepthCopy;
+  vtkOITSolidDepth SolidDepth;
+  vtkOITTrial Trial; // of leaving out hidden fragments
+  vtkOITGather Gather;
+  vtkOITABufferShaders Shaders;
+  vtkOITABufferResolver Resolver;
+  vtkOITBands Bands;
+
+  vtkOITRectangle Band;
+  bool HasDepthCopy = false;
+  vtkOITFailure DepthCopyFailure;
+  bool HasSolidDepth = false; // Gather tests against it instead of the framebuffer's
+  bool HeadInTarget = false;  // list heads by framebuffer fetch instead of image atomics
+  bool HeadInTargetWorks = true;
+  bool IsWhole = false; // the last frame was drawn in one band, which the store still holds
+  std::int64_t NumberOfFragments = 0; // of the last frame
+};
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/ABuffer/vtkOITSortingNetwork.h"
+
+#include <sstream>
+
+namespace
+{
+/// Batcher's odd-even merge sort, as compare-exchanges of registers. For sizes that are no power of
+/// two it is the network of the next one without the exchanges beyond the size, where nothing that
+/// sorts before could be.
+void WriteSortingNetwork(std::ostream& os, int size)
+{
+  for (int p = 1; p < size; p *= 2)
+  {
+    for (int k = p; k >= 1; k /= 2)
+    {
+      for (int j = k % p; j + k < size; j += 2 * k)
+      {
+        for (int i = j; i < j + k && i + k < size; ++i)
+        {
+          if (i / (2 * p) == (i + k) / (2 * p))
+          {
+            os << "OIT_COMPARE_EXCHANGE(" << i << ", " << i + k << ")\n";
+          }
+        }
+      }
+    }
+  }
+}
+
+/// The macro for each of the registers from `first` up to `end`.
+void WriteForEach(std::ostream& os, const char* macro, int first, int end)
+{
+  for (int i = first; i < end; ++i)
+  {
+    os << macro << "(" << i << ")\n";
+  }
+}
+
+void WriteTies(std::ostream& os, int size)
+{
+  for (int i = 0; i + 1 < size; ++i)
+  {
+    os << "OIT_NOTE_TIE(" << i << ", " << i + 1 << ")\n";
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITRegisterResolve(int size)
+{
+  std::ostringstream os;
+  WriteForEach(os, "OIT_DECLARE", 0, size);
+  WriteForEach(os, "OIT_LOAD", 0, size);
+  WriteSortingNetwork(os, size);
+  WriteTies(os, size);
+  WriteForEach(os, "OIT_BLEND", 0, size);
+  return os.str();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITRegisterSelect(int size, int kept)
+{
+  std::ostringstream os;
+  WriteForEach(os, "OIT_DECLARE", 0, size);
+  os << "do\n{\nif (count == 0u)\n{\n";
+  WriteForEach(os, "OIT_LOAD", 0, kept);
+  os << "}\n";
+  WriteForEach(os, "OIT_LOAD", kept, size);
+  WriteSortingNetwork(os, size);
+  os << "thin = 1.0;\n";
+  WriteForEach(os, "OIT_THIN", 0, kept - 1);
+  os << "} while (node != OIT_END && (count < " << size << "u || thin <= oitThreshold));\n"
+     << "isLong = count > " << size << "u;\n";
+  WriteForEach(os, "OIT_FORGET", kept, size);
+  WriteTies(os, size);
+  WriteForEach(os, "OIT_BLEND", 0, size);
+  return os.str();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITRegisterSort(int size)
+{
+  std::ostringstream os;
+  WriteForEach(os, "OIT_LOAD", 0, size);
+  WriteSortingNetwork(os, size);
+  os << "OITFragment last = f0;\n";
+  WriteForEach(os, "OIT_LINK", 0, size);
+  return os.str();
+}

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkOITSortingNetwork_h
+#define vtkOITSortingNetwork_h
+
+#include <string>
+
+/// GLSL text that loads fragments into registers, sorts them there and does something with them, by
+/// macros of the stage: `//VTK::OIT::Registers` of its file.
+///@{
+/// Of Resolve: up to `size` fragments, which are blended.
+std::string vtkOITRegisterResolve(int size);
+/// Of SecondChance: up to `size` fragments, which are blended; of more, the `kept` nearest, while
+/// those behind are not seen.
+std::string vtkOITRegisterSelect(int size, int kept);
+/// Of Sort: `size` nodes, which are linked.
+std::string vtkOITRegisterSort(int size);
+///@}
+
+#endif

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Engine/vtkOITDelegate.h"
+
+#include "Private/Engine/vtkOITGather.h"
+#include "Private/Engine/vtkOITGatherHook.h"
+
+#include "vtkProp.h"
+#include "vtkRenderPass.h"
+#include "vtkRenderState.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace
+{
+/// The state that the pass was given, with other props.
+class PartState
+{
+public:
+  PartState(const vtkRenderState* state, const std::vector<vtkProp*>& props)
+    : Props(props)
+    , State(state->GetRenderer())
+  {
+    this->State.SetPropArrayAndCount(this->Props.data(), static_cast<int>(this->Props.size()));
+    this->State.SetFrameBuffer(state->GetFrameBuffer());
+    this->State.SetRequiredKeys(state->GetRequiredKeys());
+  }
+  const vtkRenderState* Get() const { return &this->State; }
+
+private:
+  std::vector<vtkProp*> Props;
+  vtkRenderState State;
+};
+}
+
+//------------------------------------------------------------------------------
+void vtkOITDelegate::Draw(const std::vector<vtkProp*>& props, vtkOITGather& gather)
+{
+  gather.GetHook()->RenderBy(this->Pass, PartState(this->State, props).Get());
+  this->Note(props);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITDelegate::DrawUnsorted(const std::vector<vtkProp*>& props)
+{
+  this->Pass->Render(PartState(this->State, props).Get());
+  this->Note(props);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITDelegate::Note(const std::vector<vtkProp*>& props)
+{
+  ++this->NumberOfPasses;
+  if (this->Pass->GetNumberOfRenderedProps() > 0)
+  {
+    this->Rendered.insert(props.begin(), props.end());
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkProp*> vtkOITFindTranslucentProps(const vtkRenderState* state)
+{
+  vtkProp** first = state->GetPropArray();
+  std::vector<vtkProp*> props;
+  std::copy_if(first, first + state->GetPropArrayCount(), std::back_inserter(props),
+    [state](vtkProp* prop)
+    {
+      return prop->GetVisibility() && prop->HasTranslucentPolygonalGeometry() &&
+        prop->HasKeys(state->GetRequiredKeys());
+    });
+  return props;
+}

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkOITGeometry_h
+#define vtkOITGeometry_h
+
+#include <vector>
+
+class vtkOITGather;
+class vtkProp;
+
+/// Draws props, whoever does it: what an engine knows of the rest of VTK's pipeline.
+class vtkOITGeometry
+{
+public:
+  virtual ~vtkOITGeometry() = default;
+
+  /// One geometry pass over the props, into what is bound, under a gather.
+  virtual void Draw(const std::vector<vtkProp*>& props, vtkOITGather& gather) = 0;
+
+  /// The props as VTK draws them without any pass of ours, into what is bound and as it is set.
+  virtual void DrawUnsorted(const std::vector<vtkProp*>& props) = 0;
+};
+
+#endif

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkOITStatistics_h
+#define vtkOITStatistics_h
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+/// What a frame, or a part of it, says about itself. Their meaning is that of the getters of
+/// vtkOITPass and vtkOITPeelingPass.
+struct vtkOITStatistics
+{
+  int NumberOfRenderedProps = 0;
+  int NumberOfGeometryPasses = 0;
+  std::int64_t NumberOfFragments = 0; // negative: nobody has counted
+  int MaximumDepthComplexity = 0;     // negative: nobody has counted
+  bool Exact = true;
+  double ErrorBound = 0.0;
+  int NumberOfPeels = 0;
+  std::int64_t NumberOfLostFragments = 0;
+  bool SkippedHiddenFragments = false;
+  std::string Algorithm; // that drew; empty: none
+  std::string Reason;    // why that one
+  std::string Summary;   // what was skipped, and why; empty: nothing
+  std::string Warning;   // that another method draws, and why, one line; empty: none does
+  std::string Fault;     // what is wrong with the picture, one line; empty: nothing
+
+  /// Not exact, with this bound on the error of a colour.
+  void NoteError(double bound)
+  {
+    this->Exact = this->Exact && bound == 0.0;
+    this->ErrorBound = std::max(this->ErrorBound, bound);
+  }
+  void AddToSummary(const std::string& what)
+  {
+    this->Summary += (this->Summary.empty() ? "" : "; ") + what;
+  }
+  /// Something is wrong with the picture; the first such line is kept.
+  void NoteFault(const std::string& fault)
+  {
+    this->Fault = this->Fault.empty() ? fault : this->Fault;
+    this->NoteError(1.0);
+  }
+  void NoteFragments(std::int64_t fragments, int depthComplexity)
+  {
+    this->NumberOfFragments += fragments;
+    this->MaximumDepthComplexity = std::max(this->MaximumDepthComplexity, depthComplexity);
+  }
+};
+
+#endif

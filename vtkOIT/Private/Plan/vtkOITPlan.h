@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkOITPlan_h
+#define vtkOITPlan_h
+
+#include "Private/Blending/vtkOITBlendSteps.h"
+#include "Private/Frame/vtkOITFrame.h"
+
+#include <functional>
+#include <string>
+
+/// Job blend: props whose order is known. Job sort: all others, and where they are.
+struct vtkOITOrder
+{
+  vtkOITBlendSteps Blend;
+  vtkOITFrame Sort;
+};
+
+/// How a frame is drawn: its jobs, made without touching OpenGL. vtkOITPlanRunner carries them out.
+struct vtkOITPlan
+{
+  /// The frame without the props that leave no trace.
+  vtkOITFrame Frame;
+
+  /// Job reuse: nothing has changed since the last plan, as far as that can be told without OpenGL.
+  /// The layer of the last frame is composited again, if it was kept and the opaque depth is as it
+  /// was; otherwise it is kept from this frame on.
+  bool IsStill = false;
+
+  /// The jobs blend and sort, found only for a frame that is drawn. Default: all is sorted.
+  std::function<vtkOITOrder()> FindOrder;
+
+  /// What the plan does without, and why; empty for nothing.
+  std::string Summary;
+};
+
+#endif

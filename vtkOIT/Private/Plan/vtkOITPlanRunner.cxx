@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Plan/vtkOITPlanRunner.h"
+
+#include "Private/Frame/vtkOITSettings.h"
+#include "Private/GL/vtkOITOutput.h"
+#include "Private/GL/vtkOITSavedState.h"
+#include "Private/Plan/vtkOITPlan.h"
+
+#include <algorithm>
+
+namespace
+{
+constexpr std::int64_t SmallestLimit = INT64_C(1) << 20; // that engines take
+constexpr std::int64_t BytesPerFragment = 16;            // of an A-buffer
+
+/// Each layer that is blended with another buffer beside costs more than into the float32 layer
+/// alone; with more layers than this, more than the stage that composites it.
+constexpr int MostLayersBeside = 3;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPlanRunner::Run(const vtkOITPlan& plan, const vtkOITSettings& settings,
+  vtkOITGeometry& geometry, vtkOITSavedState& saved, vtkOITStatistics& statistics)
+{
+  statistics.Summary = plan.Summary;
+  if (plan.Frame.Props.empty() || this->Reuse(plan, statistics))
+  {
+    return;
+  }
+  const vtkOITOrder order = plan.FindOrder ? plan.FindOrder() : vtkOITOrder{ {}, plan.Frame };
+  const Task task{ plan, order, settings, geometry, saved, statistics };
+  this->HasLayer = false;
+  bool keepsLayer = plan.IsStill;
+  vtkOITTarget target = plan.Frame.Target;
+  const Into into = this->ChooseTarget(task, keepsLayer, target);
+  const bool isBlended = this->Blend(task, target, into);
+  const vtkOITFrame& sorted = isBlended ? order.Sort : plan.Frame;
+  this->Sort(task, into == Into::Layer ? sorted.On(target) : sorted);
+  if (isBlended)
+  {
+    statistics.NumberOfFragments = -1;
+    statistics.MaximumDepthComplexity = -1;
+  }
+  if (into == Into::Layer && !this->CompositeLayer(task, keepsLayer))
+  {
+    this->Sort(task, plan.Frame);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITPlanRunner::Reuse(const vtkOITPlan& plan, vtkOITStatistics& statistics)
+{
+  const vtkOITFrame& frame = plan.Frame;
+  if (!plan.IsStill || !this->HasLayer || !this->DepthCheck.IsUnchanged(frame) ||
+    this->Layer.Composite(frame))
+  {
+    return false;
+  }
+  const std::string summary = statistics.Summary;
+  statistics = this->LayerStatistics;
+  statistics.Summary = summary;
+  statistics.NumberOfGeometryPasses = 0;
+  statistics.AddToSummary("whole frame reused");
+  statistics.Reason = "nothing has changed since the last frame";
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Releases what is left over from other frames until `needed` bytes more than what stays for
+// sorting, `forSorting`, are free. False when that cannot be.
+bool vtkOITPlanRunner::MakeRoom(std::int64_t needed, std::int64_t forSorting, std::int64_t limit)
+{
+  if (this->Layer.GetSizeInBytes() + this->DepthCheck.GetSizeInBytes() > limit - forSorting)
+  {
+    this->Layer.Release();
+    this->DepthCheck.Release();
+  }
+  const bool isFree = needed <= limit - forSorting;
+  if (isFree && forSorting == 0 && needed + this->Sorters.GetSizeInBytes() > limit)
+  {
+    this->Sorters.Release();
+  }
+  return isFree;
+}
+
+//------------------------------------------------------------------------------
+vtkOITPlanRunner::Into vtkOITPlanRunner::ChooseTarget(
+  const Task& task, bool& keepsLayer, vtkOITTarget& target)
+{
+  const vtkOITFrame& frame = task.Plan.Frame;
+  const vtkOITBlendSteps& blend = task.Order.Blend;
+  const bool needsLayer = blend.MaximumLayers > 1;
+  const std::int64_t limit = task.Settings.BufferLimit;
+  if (limit == 0)
+  {
+    return Into::Framebuffer; // a plan with layers comes with a limit
+  }
+  const std::int64_t forSorting =
+    task.Order.Sort.Props.empty() ? 0 : std::max(limit / 2, SmallestLimit);
+  const std::int64_t forLayer = vtkOITLayerTarget::GetBytes(frame, frame.Rectangle);
+  const std::int64_t forDepth = vtkOITDepthCheck::GetBytes(frame);
+  keepsLayer = keepsLayer && forLayer + forDepth <= limit - forSorting;
+  const std::int64_t needed =
+    (needsLayer || keepsLayer ? forLayer : 0) + (keepsLayer ? forDepth : 0);
+  const bool canHave = this->MakeRoom(needed, forSorting, limit) && needed > 0 &&
+    frame.Target.Samples == 0 && frame.Target.DepthBits > 0;
+  if (!canHave)
+  {
+    if (needsLayer)
+    {
+      this->MakeRoom(0, SmallestLimit, limit);
+    }
+    return Into::Framebuffer;
+  }
+  if (keepsLayer && this->DepthCheck.Keep(frame))
+  {
+    keepsLayer = false;
+  }
+  if (!keepsLayer && needsLayer && vtkOITWritesByFetch(frame) &&
+    blend.MaximumLayers <= MostLayersBeside &&
+    !this->Layer.BeginBeside(frame, blend.Rectangle.Intersect(frame.Rectangle), target))
+  {
+    return Into::Beside;
+  }
+  if (this->Layer.Begin(frame, frame.Rectangle, target))
+  {
+    target = frame.Target;
+    return Into::Framebuffer;
+  }
+  return Into::Layer;
+}
+
+//------------------------------------------------------------------------------
+// False when there is nothing to blend, or nothing to blend it into: then all props are sorted.
+bool vtkOITPlanRunner::Blend(const Task& task, const vtkOITTarget& target, Into into)
+{
+  const vtkOITBlendSteps& blend = task.Order.Blend;
+  if (blend.NumberOfProps == 0 || (blend.MaximumLayers > 1 && into == Into::Framebuffer))
+  {
+    return false;
+  }
+  task.Statistics.AddToSummary(std::to_string(blend.NumberOfProps) + " of " +
+    std::to_string(task.Plan.Frame.Props.size()) + " props blended: their order is known");
+  this->Blending.SetSteps(&blend);
+  this->Blending.SetLayerBeside(into == Into::Beside ? &this->Layer : nullptr);
+  const vtkOITFailure failure =
+    this->Blending.Draw(task.Plan.Frame.On(target), task.Settings, task.Geometry, task.Statistics);
+  task.Statistics.Algorithm = this->Blending.GetAlgorithmName(task.Settings);
+  task.Statistics.Reason = "the order of all props is known";
+  if (failure)
+  {
+    task.Statistics.NoteFault(failure.GetReason());
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPlanRunner::Sort(const Task& task, const vtkOITFrame& frame)
+{
+  if (frame.Props.empty() || frame.Rectangle.IsEmpty())
+  {
+    return;
+  }
+  vtkOITSettings settings = task.Settings;
+  if (settings.BufferLimit > 0)
+  {
+    settings.BufferLimit = std::max(SmallestLimit,
+      settings.BufferLimit - this->Layer.GetSizeInBytes() - this->DepthCheck.GetSizeInBytes());
+  }
+  const bool fits = this->SortedFragments * BytesPerFragment <= settings.BufferLimit;
+  task.Statistics.NumberOfFragments = 0;
+  task.Statistics.MaximumDepthComplexity = 0;
+  this->Sorters.Draw(frame, settings, task.Geometry, task.Saved, task.Statistics);
+  this->SortedFragments = std::max<std::int64_t>(0, task.Statistics.NumberOfFragments);
+  if (task.Statistics.Reason.empty())
+  {
+    task.Statistics.Reason =
+      fits ? "its fragments fit into memory" : "in bands, as its fragments do not fit into memory";
+  }
+  if (task.Statistics.SkippedHiddenFragments)
+  {
+    task.Statistics.AddToSummary("fragments behind those of opacity 1 left out");
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITPlanRunner::CompositeLayer(const Task& task, bool keepsLayer)
+{
+  if (this->Layer.Composite(task.Plan.Frame))
+  {
+    return false;
+  }
+  this->HasLayer = keepsLayer;
+  this->LayerStatistics = task.Statistics;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::int64_t vtkOITPlanRunner::GetSizeInBytes() const
+{
+  return this->Layer.GetSizeInBytes() + this->DepthCheck.GetSizeInBytes() +
+    this->Sorters.GetSizeInBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPlanRunner::Release()
+{
+  this->Layer.Release();
+  this->DepthCheck.Release();
+  this->Sorters.Release();
+  this->HasLayer = false;
+}
