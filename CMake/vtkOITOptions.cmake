@@ -6,7 +6,6 @@
 
 option(BUILD_SHARED_LIBS "Build shared libraries" ON)
 option(BUILD_TESTING "Build the tests" ON)
-option(VTKOIT_BUILD_BENCHMARKS "Build the benchmark programs" ON)
 option(VTKOIT_WERROR "Treat compiler warnings as errors" OFF)
 option(VTKOIT_SANITIZE_ADDRESS "Compile and link with AddressSanitizer" OFF)
 # VTKOIT_WRAP_PYTHON is in vtkOITDependencies.cmake: its default depends on the VTK found.

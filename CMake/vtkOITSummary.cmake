@@ -14,7 +14,6 @@ message(STATUS "  compiler                 ${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_
 message(STATUS "  build type               ${vtkoit_summary_build_type}")
 message(STATUS "  BUILD_SHARED_LIBS        ${BUILD_SHARED_LIBS}")
 message(STATUS "  BUILD_TESTING            ${BUILD_TESTING}")
-message(STATUS "  VTKOIT_BUILD_BENCHMARKS  ${VTKOIT_BUILD_BENCHMARKS}")
 message(STATUS "  VTKOIT_WRAP_PYTHON       ${VTKOIT_WRAP_PYTHON} ${Python3_EXECUTABLE}")
 message(STATUS "  VTKOIT_WERROR            ${VTKOIT_WERROR}")
 message(STATUS "  VTKOIT_SANITIZE_ADDRESS  ${VTKOIT_SANITIZE_ADDRESS}")

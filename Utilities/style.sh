@@ -123,7 +123,7 @@ run_tidy()
     fail "no $build/compile_commands.json; run Utilities/test.sh first"
   command -v clang-tidy >/dev/null 2>&1 || install_packages clang-tidy
   # Only what the build compiles: a file of another VTK version has no compile command.
-  for file in $(tracked 'vtkOIT/*.cxx' 'Testing/*.cxx' 'Benchmarks/*.cxx'); do
+  for file in $(tracked 'vtkOIT/*.cxx' 'Testing/*.cxx'); do
     ! grep -qF "$root/$file\"" "$build/compile_commands.json" || printf '%s\n' "$file"
   done | xargs -r -n 1 -P "$(nproc)" clang-tidy -p "$build" --quiet ||
     complain "clang-tidy found the above"

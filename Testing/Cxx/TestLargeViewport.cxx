@@ -128,6 +128,8 @@ int TestLargeViewport(int argc, char* argv[])
       largest = std::min(largest, 16384);
       CheckSize(report, setup, largest, 8);
       CheckSize(report, setup, 8, largest);
-      CheckSize(report, setup, 1025, 513);
+      // Buckets have textures only, whose pixels are not counted through, and draw slowly.
+      const bool isSmall = setup.Method.rfind("bucket", 0) == 0 && !setup.IsLong;
+      CheckSize(report, setup, 1025, isSmall ? 33 : 513);
     });
 }

@@ -213,6 +213,7 @@ int RunTest(
     return EXIT_FAILURE;
   }
   setup.Promise = row->Promise;
+  setup.IsLong = std::find(argv, argv + argc, std::string("--long")) != argv + argc;
 
   Report report;
   for (const Tier& tier : row->Tiers)

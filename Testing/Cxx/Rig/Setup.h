@@ -50,6 +50,7 @@ struct Setup
   bool HasFetch = true;                // in this tier
   int LargestStack = 4096;             // layers that the method peels in bearable time
   bool IsContender = false;            // one of VTK's own, see Contenders.h
+  bool IsLong = false;                 // --long: also what takes too long to be run each time
 
   std::string Describe() const;
 
@@ -74,7 +75,7 @@ enum class Setups
 /// Runs the body for each setup of the method named on the command line (default: abuffer).
 /// Returns the exit status: 125, with a line that names what is missing, when the method does not
 /// run in this context. For a contender nothing is asserted; with `--results FILE` the comparisons
-/// are appended to a file.
+/// are appended to a file. `--long` sets Setup::IsLong.
 int RunTest(
   int argc, char* argv[], Setups setups, const std::function<void(Report&, const Setup&)>& body);
 }
