@@ -199,13 +199,16 @@ void vtkOITPass::Report()
 {
   const vtkOITStatistics& statistics = this->Impl->Statistics;
   std::set<std::string>& reported = this->Impl->Reported;
-  if (!statistics.Warning.empty() && reported.insert(statistics.Warning).second)
+  if (!statistics.Fault.empty())
+  {
+    if (reported.insert(statistics.Fault).second)
+    {
+      vtkErrorMacro(<< statistics.Fault);
+    }
+  }
+  else if (!statistics.Warning.empty() && reported.insert(statistics.Warning).second)
   {
     vtkWarningMacro(<< statistics.Warning);
-  }
-  if (!statistics.Fault.empty() && reported.insert(statistics.Fault).second)
-  {
-    vtkErrorMacro(<< statistics.Fault);
   }
 }
 

@@ -5,11 +5,14 @@
 #include "Private/Engine/vtkOITGather.h"
 #include "Private/Engine/vtkOITGatherHook.h"
 
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkProp.h"
 #include "vtkRenderPass.h"
 #include "vtkRenderState.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 
 namespace
@@ -32,13 +35,52 @@ private:
   std::vector<vtkProp*> Props;
   vtkRenderState State;
 };
+
+/// A prop that draws nothing, and notices when it is its turn.
+class Mark : public vtkProp
+{
+public:
+  static Mark* New();
+  vtkTypeMacro(Mark, vtkProp);
+
+  vtkTypeBool HasTranslucentPolygonalGeometry() override { return 1; }
+  bool HasKeys(vtkInformation*) override { return true; }
+  int RenderTranslucentPolygonalGeometry(vtkViewport*) override
+  {
+    this->Notice();
+    return 0;
+  }
+
+  std::function<void()> Notice;
+};
+vtkStandardNewMacro(Mark);
 }
 
 //------------------------------------------------------------------------------
-void vtkOITDelegate::Draw(const std::vector<vtkProp*>& props, vtkOITGather& gather)
+// After each prop the delegate draws a mark, which tells whether the prop has called the hook.
+vtkOITFailure vtkOITDelegate::Draw(const std::vector<vtkProp*>& props, vtkOITGather& gather)
 {
-  gather.GetHook()->RenderBy(this->Pass, PartState(this->State, props).Get());
+  vtkOITGatherHook* hook = gather.GetHook();
+  std::size_t drawn = 0;
+  vtkNew<Mark> mark;
+  mark->Notice = [this, hook, &props, &drawn]
+  {
+    if (hook->TakeNumberOfDraws() == 0 && drawn < props.size())
+    {
+      this->Ungathered.insert(props[drawn]);
+    }
+    ++drawn;
+  };
+  std::vector<vtkProp*> marked;
+  for (vtkProp* prop : props)
+  {
+    marked.push_back(prop);
+    marked.push_back(mark);
+  }
+  vtkOITFailure failure = hook->RenderBy(
+    this->Pass, PartState(this->State, props).Get(), PartState(this->State, marked).Get());
   this->Note(props);
+  return failure;
 }
 
 //------------------------------------------------------------------------------

@@ -21,11 +21,15 @@ public:
   {
   }
 
-  void Draw(const std::vector<vtkProp*>& props, vtkOITGather& gather) override;
+  vtkOITFailure Draw(const std::vector<vtkProp*>& props, vtkOITGather& gather) override;
   void DrawUnsorted(const std::vector<vtkProp*>& props) override;
 
   int GetNumberOfPasses() const { return this->NumberOfPasses; }
   int GetNumberOfRenderedProps() const { return static_cast<int>(this->Rendered.size()); }
+
+  /// The props that were drawn under a gather without a call of its hook: they have nothing to draw,
+  /// or draw parts that did not get their property keys, past the gather.
+  const std::set<vtkProp*>& GetUngatheredProps() const { return this->Ungathered; }
 
 private:
   void Note(const std::vector<vtkProp*>& props);
@@ -34,6 +38,7 @@ private:
   const vtkRenderState* State;
   int NumberOfPasses = 0;
   std::set<vtkProp*> Rendered;
+  std::set<vtkProp*> Ungathered;
 };
 
 /// The props of the state that such a pass would draw as translucent.

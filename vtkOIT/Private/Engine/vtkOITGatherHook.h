@@ -3,9 +3,13 @@
 #ifndef vtkOITGatherHook_h
 #define vtkOITGatherHook_h
 
+#include "Private/Frame/vtkOITFailure.h"
 #include "Private/GL/vtkOITShaderText.h"
 
 #include "vtkOpenGLRenderPass.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+#include "vtkWeakPointer.h"
 
 #include <string>
 #include <unordered_map>
@@ -22,9 +26,15 @@ public:
 
   void Render(const vtkRenderState*) override {}
 
-  /// Draws props by a delegate, which gets them in the state; this pass is among their
-  /// vtkOpenGLRenderPass::RenderPasses() meanwhile.
-  void RenderBy(vtkRenderPass* delegate, const vtkRenderState* state);
+  /// Draws props by a delegate, which gets them in the state `drawn`; this pass is among the
+  /// vtkOpenGLRenderPass::RenderPasses() of those of `state` meanwhile. Fails when a program of
+  /// theirs does not compile: then their fragments are discarded, as VTK cannot do without a
+  /// program, and the next call tries again.
+  vtkOITFailure RenderBy(
+    vtkRenderPass* delegate, const vtkRenderState* state, const vtkRenderState* drawn);
+
+  /// Draws since the last call: a mapper calls SetShaderParameters() before each.
+  int TakeNumberOfDraws();
 
   bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
@@ -45,8 +55,15 @@ private:
   vtkOITGatherHook(const vtkOITGatherHook&) = delete;
   void operator=(const vtkOITGatherHook&) = delete;
 
+  bool Proves(const std::string& vertexShader, const std::string& geometryShader,
+    const std::string& fragmentShader, vtkProp* prop);
+
   vtkOITShaderText Stage;
   std::unordered_map<std::string, std::string> Wrapped; // texts of mappers, and what became of them
+  std::unordered_map<std::string, vtkWeakPointer<vtkShaderProgram>> Proven; // by all of their texts
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;         // of Proven, and that is drawn into
+  vtkOITFailure Failure;                                // while drawing
+  int NumberOfDraws = 0;
 };
 
 #endif

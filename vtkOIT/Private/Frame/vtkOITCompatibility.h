@@ -20,6 +20,8 @@
 #include "vtkProp3D.h"
 #include "vtkVersionMacros.h"
 
+#include <vector>
+
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
 #include "vtkCompositePolyDataMapper.h"
 #else
@@ -53,6 +55,22 @@ using vtkOITCompositeMapper = vtkCompositePolyDataMapper;
 #else
 using vtkOITCompositeMapper = vtkCompositePolyDataMapper2;
 #endif
+
+/// The shaders of a program: those for tessellation came after VTK 9.1.
+///@{
+template <typename Shader>
+auto vtkOITGetShaderTypes(int)
+  -> std::vector<decltype(Shader::TessControl, typename Shader::Type())>
+{
+  return { Shader::Vertex, Shader::Geometry, Shader::Fragment, Shader::TessControl,
+    Shader::TessEvaluation };
+}
+template <typename Shader>
+std::vector<typename Shader::Type> vtkOITGetShaderTypes(long)
+{
+  return { Shader::Vertex, Shader::Geometry, Shader::Fragment };
+}
+///@}
 
 /// Whether blocks have lookup tables (VTK 9.3) or textures (VTK 9.6) of their own.
 ///@{
