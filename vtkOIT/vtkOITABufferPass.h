@@ -48,10 +48,10 @@
  * fragment, 32 with float32 colours or multisampling. Needs OpenGL 4.3 with ARB_clear_texture, that
  * is any OpenGL 4.4; Mesa's software renderer llvmpipe has it.
  *
- * Exact: yes, unless TransmittanceThreshold is set. Colours are stored as half floats by default:
- * an error of at most 2^-11 of each colour and opacity, clamped to [0, 65504]; FragmentPrecision
- * FLOAT stores them as they are. Limits: a prop whose mapper does not support vtkOpenGLRenderPass
- * is not drawn.
+ * Exact: yes, with TransmittanceThreshold 0; otherwise within GetErrorBound(). Colours are stored
+ * as half floats by default: an error of at most 2^-11 of each colour and opacity, clamped to
+ * [0, 65504]; FragmentPrecision FLOAT stores them as they are. Limits: a prop whose mapper does not
+ * support vtkOpenGLRenderPass is not drawn.
  *
  * @sa vtkOITPass
  */

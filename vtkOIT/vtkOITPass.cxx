@@ -12,6 +12,7 @@
 #include "Private/GL/vtkOITAllocation.h"
 #include "Private/GL/vtkOITSavedState.h"
 #include "Private/Plan/vtkOITPlan.h"
+#include "Private/Plan/vtkOITHookTrial.h"
 #include "Private/Plan/vtkOITPlanRunner.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -57,6 +58,8 @@ public:
   vtkOITStatistics Statistics;                      // of the last frame
   std::unique_ptr<vtkOITCapabilities> Capabilities; // of CapabilitiesWindow
   vtkOpenGLRenderWindow* CapabilitiesWindow = nullptr;
+  vtkOITHookTrial HookTrial;
+  std::string Unsorted; // why some props of this frame are drawn unsorted; empty: none are
   std::set<std::string> Reported; // so that each line is printed once, not every frame
 };
 
@@ -110,19 +113,6 @@ std::string vtkOITPass::GetMissingCapability(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-vtkOITSettings vtkOITPass::MakeSettings(const vtkOITCapabilities&) const
-{
-  vtkOITSettings settings;
-  settings.TransmittanceThreshold = this->TransmittanceThreshold;
-  settings.FloatColor = this->FragmentPrecision == FLOAT;
-  settings.BufferLimit = this->MaximumBufferSize;
-  settings.MaximumNumberOfPeels = this->MaximumNumberOfPeels;
-  settings.OcclusionRatio = this->OcclusionRatio;
-  settings.Time = const_cast<vtkOITPass*>(this)->GetMTime();
-  return settings;
-}
-
-//------------------------------------------------------------------------------
 vtkOITPlan vtkOITPass::MakePlan(const vtkOITFrame& frame, const vtkOITSettings&)
 {
   vtkOITPlan plan;
@@ -157,17 +147,26 @@ void vtkOITPass::Render(const vtkRenderState* state)
     return;
   }
   std::vector<vtkProp*> props = vtkOITFindTranslucentProps(state);
-  if (props.empty())
+  if (!vtkOpenGLRenderWindow::SafeDownCast(state->GetRenderer()->GetVTKWindow()))
   {
-    return;
-  }
-  if (vtkOpenGLRenderWindow::SafeDownCast(state->GetRenderer()->GetVTKWindow()))
-  {
-    this->Draw(state, std::move(props));
+    this->DrawUnsorted(state, "the renderer's window is not a vtkOpenGLRenderWindow");
   }
   else
   {
-    this->DrawUnsorted(state, "the renderer's window is not a vtkOpenGLRenderWindow");
+    this->Impl->Unsorted.clear();
+    vtkOITDelegate delegate(this->TranslucentPass, state);
+    this->DrawBeside(
+      delegate, vtkOITFindDenyingProps(state), "say that they have nothing translucent");
+    this->NumberOfRenderedProps = delegate.GetNumberOfRenderedProps();
+    if (!props.empty())
+    {
+      this->Draw(state, std::move(props));
+    }
+    if (!this->Impl->Unsorted.empty())
+    {
+      this->Impl->Statistics.Warning = this->Impl->Unsorted;
+      this->Impl->Statistics.NoteError(1.0);
+    }
   }
   this->Report();
 }
@@ -175,29 +174,54 @@ void vtkOITPass::Render(const vtkRenderState* state)
 //------------------------------------------------------------------------------
 void vtkOITPass::Draw(const vtkRenderState* state, std::vector<vtkProp*> props)
 {
-  Internals& impl = *this->Impl;
-  vtkOITAllocation::TakeErrors();
+  const Internals::Drawing drawing;
+  vtkOITDelegate delegate(this->TranslucentPass, state);
   vtkOITFrame frame;
   frame.Renderer = state->GetRenderer();
   frame.Window = vtkOpenGLRenderWindow::SafeDownCast(frame.Renderer->GetVTKWindow());
   frame.GLState = frame.Window->GetState();
-  frame.Capabilities = &impl.QueryCapabilities(frame.Window);
+  frame.Capabilities = &this->Impl->QueryCapabilities(frame.Window);
   frame.Target = vtkOITTarget::Query();
+  frame.Props = std::move(props);
+  vtkOITAllocation::TakeErrors();
+  const std::vector<vtkProp*> unhooked = this->DrawSorted(frame, delegate);
+  this->Impl->Statistics.NumberOfGeometryPasses = delegate.GetNumberOfPasses();
+  this->DrawBeside(delegate, unhooked, "draw past VTK's render passes");
+  this->NumberOfRenderedProps += delegate.GetNumberOfRenderedProps();
+}
+
+//------------------------------------------------------------------------------
+// Returns the props that cannot be sorted, and are not drawn.
+std::vector<vtkProp*> vtkOITPass::DrawSorted(vtkOITFrame& frame, vtkOITDelegate& delegate)
+{
+  Internals& impl = *this->Impl;
   vtkOITSavedState saved(frame.GLState, frame.Target);
   frame.Viewport = saved.GetViewport();
-  frame.Props = std::move(props);
+  std::vector<vtkProp*> unhooked = impl.HookTrial.TakeUnhooked(frame, delegate);
   frame.Extents = vtkOITFindScreenExtents(frame.Renderer, frame.Props, frame.Viewport);
   frame.Rectangle = vtkOITFindScreenRectangle(frame.Extents).Intersect(saved.GetDrawnRectangle());
-  if (frame.Rectangle.IsEmpty())
+  if (!frame.Rectangle.IsEmpty())
   {
-    return;
+    const vtkOITSettings settings = this->MakeSettings(*frame.Capabilities);
+    impl.Runner.Run(this->MakePlan(frame, settings), settings, delegate, saved, impl.Statistics);
   }
-  const Internals::Drawing drawing;
-  vtkOITDelegate delegate(this->TranslucentPass, state);
-  const vtkOITSettings settings = this->MakeSettings(*frame.Capabilities);
-  impl.Runner.Run(this->MakePlan(frame, settings), settings, delegate, saved, impl.Statistics);
-  impl.Statistics.NumberOfGeometryPasses = delegate.GetNumberOfPasses();
-  this->NumberOfRenderedProps = delegate.GetNumberOfRenderedProps();
+  return unhooked;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPass::DrawBeside(
+  vtkOITDelegate& delegate, const std::vector<vtkProp*>& props, const std::string& why)
+{
+  const int before = delegate.GetNumberOfRenderedProps();
+  if (!props.empty())
+  {
+    delegate.DrawUnsorted(props);
+  }
+  if (delegate.GetNumberOfRenderedProps() > before)
+  {
+    this->Impl->Unsorted = "Props that " + why + " are blended unsorted, such as a " +
+      props.front()->GetClassName();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -220,13 +244,16 @@ void vtkOITPass::Report()
 {
   const vtkOITStatistics& statistics = this->Impl->Statistics;
   std::set<std::string>& reported = this->Impl->Reported;
-  if (!statistics.Warning.empty() && reported.insert(statistics.Warning).second)
+  if (!statistics.Fault.empty())
+  {
+    if (reported.insert(statistics.Fault).second)
+    {
+      vtkErrorMacro(<< statistics.Fault);
+    }
+  }
+  else if (!statistics.Warning.empty() && reported.insert(statistics.Warning).second)
   {
     vtkWarningMacro(<< statistics.Warning);
-  }
-  if (!statistics.Fault.empty() && reported.insert(statistics.Fault).second)
-  {
-    vtkErrorMacro(<< statistics.Fault);
   }
 }
 
@@ -238,6 +265,7 @@ void vtkOITPass::ReleaseGraphicsResources(vtkWindow* window)
     this->TranslucentPass->ReleaseGraphicsResources(window);
   }
   this->Impl->Runner.Release();
+  this->Impl->HookTrial.Release();
   this->Impl->Capabilities.reset();
   this->Impl->CapabilitiesWindow = nullptr;
   this->Superclass::ReleaseGraphicsResources(window);
@@ -311,112 +339,4 @@ bool vtkOITPass::GetExact() const
 double vtkOITPass::GetErrorBound() const
 {
   return this->Impl->Statistics.ErrorBound;
-}
-
-//------------------------------------------------------------------------------
-void vtkOITPass::SetTranslucentPass(vtkRenderPass* pass)
-{
-  if (vtkOITPass::SafeDownCast(pass))
-  {
-    vtkErrorMacro(
-      "A " << pass->GetClassName()
-           << " is refused as TranslucentPass; give the pass that draws the props, e.g. "
-              "a vtkTranslucentPass");
-    return;
-  }
-  if (this->TranslucentPass != pass)
-  {
-    this->TranslucentPass = pass;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkRenderPass* vtkOITPass::GetTranslucentPass()
-{
-  return this->TranslucentPass;
-}
-
-//------------------------------------------------------------------------------
-// Not a number is in no range.
-bool vtkOITPass::IsInRange(const char* property, double value, double low, double high)
-{
-  const bool isInRange = value >= low && value <= high;
-  if (!isInRange)
-  {
-    vtkErrorMacro(<< property << " " << value << " is refused; give a number from " << low << " to "
-                  << high);
-  }
-  return isInRange;
-}
-
-//------------------------------------------------------------------------------
-bool vtkOITPass::IsNamedValue(const char* property, int value, int last, const char* names)
-{
-  const bool isNamed = value >= 0 && value <= last;
-  if (!isNamed)
-  {
-    vtkErrorMacro(<< property << " " << value << " is refused; give " << names);
-  }
-  return isNamed;
-}
-
-//------------------------------------------------------------------------------
-void vtkOITPass::SetTransmittanceThreshold(double threshold)
-{
-  if (this->IsInRange("TransmittanceThreshold", threshold, 0.0, 1.0) &&
-    this->TransmittanceThreshold != threshold)
-  {
-    this->TransmittanceThreshold = threshold;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkOITPass::SetMaximumNumberOfPeels(int peels)
-{
-  if (this->IsInRange("MaximumNumberOfPeels", peels, 0, VTK_INT_MAX) &&
-    this->MaximumNumberOfPeels != peels)
-  {
-    this->MaximumNumberOfPeels = peels;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkOITPass::SetOcclusionRatio(double ratio)
-{
-  if (this->IsInRange("OcclusionRatio", ratio, 0.0, 0.5) && this->OcclusionRatio != ratio)
-  {
-    this->OcclusionRatio = ratio;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkOITPass::SetMaximumBufferSize(vtkTypeInt64 bytes)
-{
-  constexpr vtkTypeInt64 smallest = 1 << 20;
-  if (bytes < 0 || (bytes > 0 && bytes < smallest))
-  {
-    vtkErrorMacro("MaximumBufferSize " << bytes << " is refused; give 0 for no limit, or at least "
-                                       << smallest << " bytes");
-    return;
-  }
-  if (this->MaximumBufferSize != bytes)
-  {
-    this->MaximumBufferSize = bytes;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkOITPass::SetFragmentPrecision(int precision)
-{
-  if (this->IsNamedValue("FragmentPrecision", precision, FLOAT, "HALF or FLOAT") &&
-    this->FragmentPrecision != precision)
-  {
-    this->FragmentPrecision = precision;
-    this->Modified();
-  }
 }

@@ -17,10 +17,15 @@
  *    what is missing, and let the best exact method draw that can: the A-buffer, else dual depth
  *    peeling. GetAlgorithmName() tells which one did. Where neither can, the delegate blends the
  *    props unsorted, and GetExact() is false.
- * 3. RenderTranslucent() of the subclass: geometry passes that write only to the pass's own
+ * 3. The method of the subclass draws: geometry passes that write only to the pass's own
  *    storage, then a resolve that composites over what the framebuffer holds,
  *    `C = C_layers + T C_dst`, `A = (1-T) + T A_dst`, inside the rectangle only.
  * 4. All OpenGL state is left as it was found.
+ *
+ * Props that no method can sort are blended unsorted, before or after the others, with a warning,
+ * and GetExact() is false: those that say that they have nothing translucent and draw it, as
+ * representations of widgets do, and those that draw without vtkOpenGLRenderPass, which a trial
+ * finds when they first appear.
  *
  * Opaque geometry must be in the bound framebuffer, with its depth, before Render() is called.
  *
@@ -39,6 +44,7 @@
 #include <vector> // for the props
 
 class vtkOITCapabilities;
+class vtkOITDelegate;
 class vtkOITEngine;
 class vtkOpenGLRenderWindow;
 class vtkProp;
@@ -183,6 +189,9 @@ private:
   void operator=(const vtkOITPass&) = delete;
 
   void Draw(const vtkRenderState* state, std::vector<vtkProp*> props);
+  std::vector<vtkProp*> DrawSorted(vtkOITFrame& frame, vtkOITDelegate& delegate);
+  void DrawBeside(
+    vtkOITDelegate& delegate, const std::vector<vtkProp*>& props, const std::string& why);
   void DrawUnsorted(const vtkRenderState* state, const std::string& reason);
   void Report();
 

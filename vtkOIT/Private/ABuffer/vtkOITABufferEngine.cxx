@@ -282,12 +282,12 @@ vtkOITFailure vtkOITABufferEngine::Capture(const Task& task)
     return failure;
   }
   this->DepthCopyFailure = {};
-  task.Geometry.Draw(task.Frame.Props, this->Gather);
+  failure = task.Geometry.Draw(task.Frame.Props, this->Gather);
   if (this->HasDepthCopy)
   {
     this->DepthCopy.Unbind(task.Frame.GLState, OIT_UNIT_DEPTH);
   }
-  return this->DepthCopyFailure;
+  return failure ? failure : this->DepthCopyFailure;
 }
 
 //------------------------------------------------------------------------------

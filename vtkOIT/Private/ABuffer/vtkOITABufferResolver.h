@@ -18,7 +18,7 @@ class vtkShaderProgram;
  *
  * 1. Each tile is drawn with the smallest sorting network that takes the depth complexity it had
  *    in the last frame; beyond the largest one, as in step 3. The network for 64 fragments, which
- *    takes seconds to compile, is used from the eighth frame on that has tiles for it. Without a
+ *    takes seconds to compile, is used from the ninth frame on that has tiles for it. Without a
  *    last frame, Count finds the depth complexity.
  * 2. Counters and tiles are read back: normally the only time that the pass waits for the GPU.
  * 3. Tiles with pixels that were left, if any, get a second chance with the largest network, in

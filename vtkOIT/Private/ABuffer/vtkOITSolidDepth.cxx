@@ -89,9 +89,9 @@ vtkOITFailure vtkOITSolidDepth::Render(
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   this->Gather.SetUniforms([state](vtkShaderProgram*, vtkProp*)
     { state->vtkglDepthMask(GL_TRUE); }); // actors turn it off when they are translucent
-  geometry.Draw(props, this->Gather);
+  failure = geometry.Draw(props, this->Gather);
   state->vtkglDepthMask(GL_FALSE);
-  return {};
+  return failure;
 }
 
 //------------------------------------------------------------------------------

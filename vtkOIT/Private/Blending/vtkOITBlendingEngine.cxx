@@ -38,11 +38,14 @@ vtkOITFailure vtkOITBlendingEngine::Draw(const vtkOITFrame& frame, const vtkOITS
   }
   vtkOpenGLState* state = frame.GLState;
   vtkOITSetOutputBlending(state, vtkOITWritesByFetch(frame));
+  vtkOITFailure failure;
+  bool hasDrawn = false;
   for (const vtkOITBlendSteps::Step& step : this->Steps->Steps)
   {
     this->Gather.SetUniforms(
-      [this, state, &step](vtkShaderProgram* program, vtkProp* prop)
+      [this, state, &step, &hasDrawn](vtkShaderProgram* program, vtkProp* prop)
       {
+        hasDrawn = true;
         if (this->LayerBeside)
         {
           this->LayerBeside->SetUniformsBeside(program);
@@ -63,14 +66,22 @@ vtkOITFailure vtkOITBlendingEngine::Draw(const vtkOITFrame& frame, const vtkOITS
     {
       vtkOITLayerTarget::WriteBeside(false);
     }
-    geometry.Draw(step.Props, this->Gather);
+    failure = geometry.Draw(step.Props, this->Gather);
     if (isTop)
     {
       vtkOITLayerTarget::WriteBeside(true);
+    }
+    if (failure)
+    {
+      if (!hasDrawn)
+      {
+        failure.Undrawn = { frame.Rectangle };
+      }
+      break;
     }
   }
   this->Gather.SetUniforms({});
   statistics.NumberOfFragments = -1;
   statistics.MaximumDepthComplexity = -1;
-  return {};
+  return failure;
 }

@@ -4,6 +4,7 @@
 
 #include "Private/Engine/vtkOITGather.h"
 #include "Private/Engine/vtkOITGatherHook.h"
+#include "Private/Engine/vtkOITPropParts.h"
 
 #include "vtkProp.h"
 #include "vtkRenderPass.h"
@@ -35,10 +36,29 @@ private:
 }
 
 //------------------------------------------------------------------------------
-void vtkOITDelegate::Draw(const std::vector<vtkProp*>& props, vtkOITGather& gather)
+vtkOITFailure vtkOITDelegate::Draw(const std::vector<vtkProp*>& props, vtkOITGather& gather)
 {
-  gather.GetHook()->RenderBy(this->Pass, PartState(this->State, props).Get());
+  vtkOITFailure failure = this->DrawHooked(props, gather);
   this->Note(props);
+  return failure;
+}
+
+//------------------------------------------------------------------------------
+int vtkOITDelegate::Try(vtkProp* prop, vtkOITGather& gather)
+{
+  // What fails here, fails again when the prop is drawn.
+  static_cast<void>(this->DrawHooked({ prop }, gather));
+  return gather.GetHook()->GetNumberOfDraws();
+}
+
+//------------------------------------------------------------------------------
+vtkOITFailure vtkOITDelegate::DrawHooked(const std::vector<vtkProp*>& props, vtkOITGather& gather)
+{
+  std::vector<vtkProp*> hooked = props;
+  const std::vector<vtkProp*> parts = vtkOITFindParts(props);
+  hooked.insert(hooked.end(), parts.begin(), parts.end());
+  return gather.GetHook()->RenderBy(
+    this->Pass, PartState(this->State, hooked).Get(), PartState(this->State, props).Get());
 }
 
 //------------------------------------------------------------------------------
@@ -68,6 +88,20 @@ std::vector<vtkProp*> vtkOITFindTranslucentProps(const vtkRenderState* state)
     {
       return prop->GetVisibility() && prop->HasTranslucentPolygonalGeometry() &&
         prop->HasKeys(state->GetRequiredKeys());
+    });
+  return props;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkProp*> vtkOITFindDenyingProps(const vtkRenderState* state)
+{
+  vtkProp** first = state->GetPropArray();
+  std::vector<vtkProp*> props;
+  std::copy_if(first, first + state->GetPropArrayCount(), std::back_inserter(props),
+    [state](vtkProp* prop)
+    {
+      return prop->GetVisibility() && !vtkOITIsSimpleActor(prop) &&
+        !prop->HasTranslucentPolygonalGeometry() && prop->HasKeys(state->GetRequiredKeys());
     });
   return props;
 }

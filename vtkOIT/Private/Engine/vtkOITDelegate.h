@@ -21,13 +21,15 @@ public:
   {
   }
 
-  void Draw(const std::vector<vtkProp*>& props, vtkOITGather& gather) override;
+  vtkOITFailure Draw(const std::vector<vtkProp*>& props, vtkOITGather& gather) override;
+  int Try(vtkProp* prop, vtkOITGather& gather) override;
   void DrawUnsorted(const std::vector<vtkProp*>& props) override;
 
   int GetNumberOfPasses() const { return this->NumberOfPasses; }
   int GetNumberOfRenderedProps() const { return static_cast<int>(this->Rendered.size()); }
 
 private:
+  vtkOITFailure DrawHooked(const std::vector<vtkProp*>& props, vtkOITGather& gather);
   void Note(const std::vector<vtkProp*>& props);
 
   vtkRenderPass* Pass;
@@ -38,5 +40,9 @@ private:
 
 /// The props of the state that such a pass would draw as translucent.
 std::vector<vtkProp*> vtkOITFindTranslucentProps(const vtkRenderState* state);
+
+/// The visible props of the state that say that they have nothing translucent and yet may draw it:
+/// all but plain actors, which keep their word. Representations of widgets are such props.
+std::vector<vtkProp*> vtkOITFindDenyingProps(const vtkRenderState* state);
 
 #endif

@@ -3,14 +3,19 @@
 #include "Private/Engine/vtkOITGather.h"
 
 #include "Private/Engine/vtkOITGatherHook.h"
+#include "Private/GL/vtkOITProgram.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLShaderProperty.h"
 #include "vtkProp.h"
 #include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShader.h"
 
 #include <algorithm>
+#include <array>
 
 namespace
 {
@@ -28,6 +33,36 @@ bool HasOtherPasses(const vtkRenderState* state)
       return keys && keys->Length(vtkOpenGLRenderPass::RenderPasses()) > 0;
     });
 }
+
+/// Draws nothing, and compiles everywhere.
+const std::string Discard = "void main() { discard; }\n";
+
+bool DrawsNothing(vtkShaderProgram* program)
+{
+  return program->GetFragmentShader()->GetSource().find(Discard) != std::string::npos;
+}
+
+/// What the user of an actor has replaced at the end, which VTK does after us: in the texts for
+/// vertices, geometry and fragments.
+void ReplaceLast(std::array<std::string, 3>& texts, vtkProp* prop)
+{
+  auto* property =
+    prop ? vtkOpenGLShaderProperty::SafeDownCast(prop->GetShaderProperty()) : nullptr;
+  if (!property)
+  {
+    return;
+  }
+  for (const auto& replacement : property->GetAllShaderReplacements())
+  {
+    const vtkShader::Type type = replacement.first.ShaderType;
+    const int which = type == vtkShader::Vertex ? 0 : type == vtkShader::Geometry ? 1 : 2;
+    if (!replacement.first.ReplaceFirst && (which < 2 || type == vtkShader::Fragment))
+    {
+      vtkShaderProgram::Substitute(texts[which], replacement.first.OriginalValue,
+        replacement.second.Replacement, replacement.second.ReplaceAll);
+    }
+  }
+}
 }
 
 vtkStandardNewMacro(vtkOITGatherHook);
@@ -42,16 +77,30 @@ vtkOITGatherHook::vtkOITGatherHook()
 vtkOITGatherHook::~vtkOITGatherHook() = default;
 
 //------------------------------------------------------------------------------
-void vtkOITGatherHook::RenderBy(vtkRenderPass* delegate, const vtkRenderState* state)
+vtkOITFailure vtkOITGatherHook::RenderBy(
+  vtkRenderPass* delegate, const vtkRenderState* state, const vtkRenderState* drawn)
 {
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(state->GetRenderer()->GetVTKWindow());
+  if (window != this->Window)
+  {
+    this->Proven.clear();
+    this->Window = window;
+  }
+  this->Failure = {};
+  this->NumberOfDraws = 0;
   if (HasOtherPasses(state))
   {
     this->Binding = vtkOITDrawBinding::Query();
   }
   this->PreRender(state);
-  delegate->Render(state);
+  delegate->Render(drawn);
   this->PostRender(state);
   this->Binding.reset();
+  if (this->Failure)
+  {
+    this->Modified(); // so that mappers make their programs anew
+  }
+  return this->Failure;
 }
 
 //------------------------------------------------------------------------------
@@ -59,27 +108,63 @@ void vtkOITGatherHook::SetStage(vtkOITShaderText stage)
 {
   this->Stage = std::move(stage);
   this->Wrapped.clear();
+  this->Proven.clear();
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
-bool vtkOITGatherHook::PostReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+bool vtkOITGatherHook::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
   const auto found = this->Wrapped.find(fragmentShader);
   if (found != this->Wrapped.end())
   {
     fragmentShader = found->second;
+  }
+  else
+  {
+    const std::string before = fragmentShader;
+    if (!this->Stage.Wrap(fragmentShader))
+    {
+      return false;
+    }
+    if (this->Wrapped.size() < MostTexts)
+    {
+      this->Wrapped.emplace(before, fragmentShader);
+    }
+  }
+  if (!this->Proves(vertexShader, geometryShader, fragmentShader, prop))
+  {
+    fragmentShader = "//VTK::System::Dec\n" + Discard;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Whether the program compiles that a mapper is going to ask the cache for. Without a program VTK
+// draws with the one before, and some of its mappers crash.
+bool vtkOITGatherHook::Proves(const std::string& vertexShader, const std::string& geometryShader,
+  const std::string& fragmentShader, vtkProp* prop)
+{
+  std::array<std::string, 3> texts{ vertexShader, geometryShader, fragmentShader };
+  ReplaceLast(texts, prop);
+  const std::string all = texts[0] + texts[1] + texts[2];
+  const auto found = this->Proven.find(all);
+  if (!this->Window ||
+    (found != this->Proven.end() && found->second && found->second->GetCompiled()))
+  {
     return true;
   }
-  const std::string before = fragmentShader;
-  if (!this->Stage.Wrap(fragmentShader))
+  vtkShaderProgram* program = nullptr;
+  if (vtkOITFailure failure =
+        vtkOITReadyProgram(this->Window, texts[0], texts[1], texts[2], program))
   {
+    this->Failure = failure;
     return false;
   }
-  if (this->Wrapped.size() < MostTexts)
+  if (this->Proven.size() < MostTexts || found != this->Proven.end())
   {
-    this->Wrapped.emplace(before, fragmentShader);
+    this->Proven[all] = program;
   }
   return true;
 }
@@ -92,7 +177,9 @@ bool vtkOITGatherHook::SetShaderParameters(
   {
     this->Binding->SetAgain();
   }
-  if (this->Gather && this->Gather->Setter)
+  ++this->NumberOfDraws;
+  const bool isDrawn = !this->Failure || !DrawsNothing(program);
+  if (isDrawn && this->Gather && this->Gather->Setter)
   {
     this->Gather->Setter(program, prop);
   }

@@ -3,10 +3,14 @@
 #ifndef vtkOITGatherHook_h
 #define vtkOITGatherHook_h
 
+#include "Private/Frame/vtkOITFailure.h"
 #include "Private/GL/vtkOITDrawBinding.h"
 #include "Private/GL/vtkOITShaderText.h"
 
 #include "vtkOpenGLRenderPass.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+#include "vtkWeakPointer.h"
 
 #include <optional>
 #include <string>
@@ -24,9 +28,15 @@ public:
 
   void Render(const vtkRenderState*) override {}
 
-  /// Draws props by a delegate, which gets them in the state; this pass is among their
-  /// vtkOpenGLRenderPass::RenderPasses() meanwhile.
-  void RenderBy(vtkRenderPass* delegate, const vtkRenderState* state);
+  /// Draws props by a delegate, which gets them in the state `drawn`; this pass is among the
+  /// vtkOpenGLRenderPass::RenderPasses() of those of `state` meanwhile. Fails when a program of
+  /// theirs does not compile: then their fragments are discarded, as VTK cannot do without a
+  /// program, and the next call tries again.
+  vtkOITFailure RenderBy(
+    vtkRenderPass* delegate, const vtkRenderState* state, const vtkRenderState* drawn);
+
+  /// Draws in the last RenderBy(): a mapper calls SetShaderParameters() before each.
+  int GetNumberOfDraws() const { return this->NumberOfDraws; }
 
   bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
@@ -47,10 +57,17 @@ private:
   vtkOITGatherHook(const vtkOITGatherHook&) = delete;
   void operator=(const vtkOITGatherHook&) = delete;
 
+  bool Proves(const std::string& vertexShader, const std::string& geometryShader,
+    const std::string& fragmentShader, vtkProp* prop);
+
   vtkOITShaderText Stage;
   // Other passes around ours may change where the props are drawn into, before each draw.
   std::optional<vtkOITDrawBinding> Binding;
   std::unordered_map<std::string, std::string> Wrapped; // texts of mappers, and what became of them
+  std::unordered_map<std::string, vtkWeakPointer<vtkShaderProgram>> Proven; // by all of their texts
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;         // of Proven, and that is drawn into
+  vtkOITFailure Failure;                                // while drawing
+  int NumberOfDraws = 0;
 };
 
 #endif

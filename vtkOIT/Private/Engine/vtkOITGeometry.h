@@ -3,6 +3,8 @@
 #ifndef vtkOITGeometry_h
 #define vtkOITGeometry_h
 
+#include "Private/Frame/vtkOITFailure.h"
+
 #include <vector>
 
 class vtkOITGather;
@@ -14,8 +16,13 @@ class vtkOITGeometry
 public:
   virtual ~vtkOITGeometry() = default;
 
-  /// One geometry pass over the props, into what is bound, under a gather.
-  virtual void Draw(const std::vector<vtkProp*>& props, vtkOITGather& gather) = 0;
+  /// One geometry pass over the props, into what is bound, under a gather. Fails when a program of
+  /// a prop does not compile: then nothing of that prop is drawn.
+  virtual vtkOITFailure Draw(const std::vector<vtkProp*>& props, vtkOITGather& gather) = 0;
+
+  /// Draws a prop under a gather as Draw() does, but as a trial: it counts in no statistics. Returns
+  /// the number of draws that asked the gather's hook.
+  virtual int Try(vtkProp* prop, vtkOITGather& gather) = 0;
 
   /// The props as VTK draws them without any pass of ours, into what is bound and as it is set.
   virtual void DrawUnsorted(const std::vector<vtkProp*>& props) = 0;

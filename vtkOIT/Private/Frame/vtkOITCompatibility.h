@@ -20,6 +20,8 @@
 #include "vtkProp3D.h"
 #include "vtkVersionMacros.h"
 
+#include <vector>
+
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
 #include "vtkCompositePolyDataMapper.h"
 #else
@@ -65,6 +67,22 @@ template <typename Mapper>
 bool vtkOITDrawsSelection(Mapper*, long)
 {
   return false;
+}
+///@}
+
+/// The shaders of a program: those for tessellation came after VTK 9.1.
+///@{
+template <typename Shader>
+auto vtkOITGetShaderTypes(int)
+  -> std::vector<decltype(Shader::TessControl, typename Shader::Type())>
+{
+  return { Shader::Vertex, Shader::Geometry, Shader::Fragment, Shader::TessControl,
+    Shader::TessEvaluation };
+}
+template <typename Shader>
+std::vector<typename Shader::Type> vtkOITGetShaderTypes(long)
+{
+  return { Shader::Vertex, Shader::Geometry, Shader::Fragment };
 }
 ///@}
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/GL/vtkOITScreenStage.h"
 
-#include "vtkObject.h"
+#include "Private/GL/vtkOITProgram.h"
+
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkShaderProgram.h"
@@ -35,25 +36,18 @@ vtkOITFailure vtkOITScreenStage::Render(vtkOpenGLRenderWindow* window, const cha
 }
 
 //------------------------------------------------------------------------------
-// VTK prints all of a text that does not compile: once, not in every frame that tries again.
 vtkOITFailure vtkOITScreenStage::Prepare(vtkOpenGLRenderWindow* window, const char* vertexShader,
   const std::function<std::string()>& getFragmentShader)
 {
   this->Attach(window);
-  vtkOpenGLShaderCache* cache = window->GetShaderCache();
-  const int display = vtkObject::GetGlobalWarningDisplay();
-  if (this->HasFailed)
+  if (this->Program && this->Program->GetCompiled())
   {
-    vtkObject::SetGlobalWarningDisplay(0);
+    window->GetShaderCache()->ReadyShaderProgram(this->Program);
   }
-  this->Program = this->Program
-    ? (cache->ReadyShaderProgram(this->Program) ? this->Program : nullptr)
-    : cache->ReadyShaderProgram(vertexShader, getFragmentShader().c_str(), "");
-  vtkObject::SetGlobalWarningDisplay(display);
-  this->HasFailed = !this->Program;
-  if (this->HasFailed)
+  else if (vtkOITFailure failure =
+             vtkOITReadyProgram(window, vertexShader, "", getFragmentShader(), this->Program))
   {
-    return vtkOITFailure("a shader of vtkOIT does not compile with this OpenGL driver");
+    return failure;
   }
   if (this->VertexArray == 0)
   {

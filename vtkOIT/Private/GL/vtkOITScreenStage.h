@@ -27,7 +27,7 @@ public:
     const std::function<std::string()>& getFragmentShader);
 
   /// Compiles the shaders when there is no program yet, makes it current, lets `setUniforms` set
-  /// its uniforms, and draws. Fails when they do not compile; the shader cache prints why.
+  /// its uniforms, and draws. Fails when they do not compile.
   ///@{
   vtkOITFailure Render(vtkOpenGLRenderWindow* window, const char* vertexShader,
     const std::function<std::string()>& getFragmentShader,
@@ -45,7 +45,6 @@ private:
 
   vtkShaderProgram* Program = nullptr; // owned by the window's shader cache
   GLuint VertexArray = 0;              // empty; a core profile asks for one
-  bool HasFailed = false;              // to compile, and was told about
 };
 
 #endif

@@ -171,10 +171,10 @@ vtkOITFailure vtkOITBucketPeeler::GatherHistogram(const vtkOITPeelContext& conte
   glEnable(GL_COLOR_LOGIC_OP);
   glLogicOp(GL_OR);
   this->IsHistogram = true;
-  context.RenderGeometry();
+  failure = context.RenderGeometry();
   this->IsHistogram = false;
   glDisable(GL_COLOR_LOGIC_OP);
-  return this->DrawLayers(context, this->BucketBounds, this->EqualizeStage, vtkOITBucketEqualizeFS,
+  return failure ? failure : this->DrawLayers(context, this->BucketBounds, this->EqualizeStage, vtkOITBucketEqualizeFS,
     "oitHistogram", this->Histogram);
 }
 
@@ -191,8 +191,8 @@ vtkOITFailure vtkOITBucketPeeler::GatherDepths(const vtkOITPeelContext& context)
   gl->vtkglEnable(GL_BLEND);
   gl->vtkglBlendEquationSeparate(GL_MAX, GL_MAX);
   gl->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-  context.RenderGeometry();
-  return this->DrawLayers(
+  vtkOITFailure failure = context.RenderGeometry();
+  return failure ? failure : this->DrawLayers(
     context, this->Slots, this->SlotsStage, vtkOITBucketSlotsFS, "oitDepths", this->Depths);
 }
 
@@ -211,8 +211,12 @@ vtkOITFailure vtkOITBucketPeeler::GatherColors(
   gl->vtkglEnable(GL_BLEND);
   gl->vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_MAX);
   gl->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-  context.RenderGeometry();
-  vtkOITFailure failure = context.State.Resolve(
+  vtkOITFailure failure = context.RenderGeometry();
+  if (failure)
+  {
+    return failure;
+  }
+  failure = context.State.Resolve(
     this->ResolveStage,
     [this]
     {

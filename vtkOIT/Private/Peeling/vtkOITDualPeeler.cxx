@@ -113,15 +113,14 @@ vtkOITFailure vtkOITDualPeeler::Gather(const vtkOITPeelContext& context)
   context.Frame.GLState->vtkglDisable(GL_BLEND);
   if (this->IsFirst)
   {
-    context.RenderGeometry();
-    return {};
+    return context.RenderGeometry();
   }
   // Bounds are only read. VTK compares the mask of the first buffer with what it knows.
   const auto bounds = static_cast<GLuint>(this->GetNumberOfBuffers());
   glColorMaski(bounds, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  context.RenderGeometry();
+  failure = context.RenderGeometry();
   glColorMaski(bounds, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  return {};
+  return failure;
 }
 
 //------------------------------------------------------------------------------

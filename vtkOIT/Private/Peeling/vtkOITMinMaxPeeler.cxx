@@ -79,8 +79,7 @@ vtkOITFailure vtkOITMinMaxPeeler::GatherInPlace(const vtkOITPeelContext& context
     vtkOITFramebuffer::DrawInto(1); // depths only: no colours yet
   }
   context.Frame.GLState->vtkglDisable(GL_BLEND);
-  context.RenderGeometry();
-  return {};
+  return context.RenderGeometry();
 }
 
 //------------------------------------------------------------------------------
@@ -109,8 +108,7 @@ vtkOITFailure vtkOITMinMaxPeeler::GatherByBlending(const vtkOITPeelContext& cont
   gl->vtkglEnable(GL_BLEND);
   gl->vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_MAX);
   gl->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-  context.RenderGeometry();
-  return {};
+  return context.RenderGeometry();
 }
 
 //------------------------------------------------------------------------------

@@ -153,29 +153,30 @@ vtkOITFailure vtkOITMultiLayerPeeler::Begin(const vtkOITPeelContext& context)
 }
 
 //------------------------------------------------------------------------------
-void vtkOITMultiLayerPeeler::RenderGeometry(const vtkOITPeelContext& context)
+vtkOITFailure vtkOITMultiLayerPeeler::RenderGeometry(const vtkOITPeelContext& context)
 {
   this->Draws.clear();
-  context.RenderGeometry();
+  return context.RenderGeometry();
 }
 
 //------------------------------------------------------------------------------
 // The paper's scheme. Fragments of a pixel that overlap in time may overwrite each other's layers,
 // but each pass makes at least one more layer right, so it ends when a pass changes nothing.
-void vtkOITMultiLayerPeeler::GatherUnordered(const vtkOITPeelContext& context)
+vtkOITFailure vtkOITMultiLayerPeeler::GatherUnordered(const vtkOITPeelContext& context)
 {
   context.Frame.GLState->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   const int passes = this->IsRest ? 1 : this->NumberOfLayers + 2;
   for (int pass = 0; pass < passes; ++pass)
   {
     this->Changes.Begin(context.Frame.Window, 0);
-    this->RenderGeometry(context);
+    vtkOITFailure failure = this->RenderGeometry(context);
     vtkOITOcclusionQueries::End();
-    if (this->Changes.GetResult(0) == 0)
+    if (failure || this->Changes.GetResult(0) == 0)
     {
-      return;
+      return failure;
     }
   }
+  return {};
 }
 
 //------------------------------------------------------------------------------
@@ -201,10 +202,11 @@ vtkOITFailure vtkOITMultiLayerPeeler::Peel(const vtkOITPeelContext& context, int
     return failure;
   }
   gl->vtkglDisable(GL_BLEND);
+  vtkOITFailure failure;
   switch (this->UsedAccess)
   {
     case Access::Fetch:
-      this->RenderGeometry(context);
+      failure = this->RenderGeometry(context);
       break;
     case Access::Interlock:
       // Images instead of colour buffers; the depth test is the same.
@@ -212,12 +214,16 @@ vtkOITFailure vtkOITMultiLayerPeeler::Peel(const vtkOITPeelContext& context, int
       glBindImageTexture(OIT_IMAGE_SLOTS, this->Slots.GetLayer(0).Texture, 0, GL_TRUE, 0,
         GL_READ_WRITE, GL_RGBA32UI);
       glMemoryBarrier(GL_ALL_BARRIER_BITS);
-      this->RenderGeometry(context);
+      failure = this->RenderGeometry(context);
       glMemoryBarrier(GL_ALL_BARRIER_BITS);
       break;
     case Access::Barrier:
-      this->GatherUnordered(context);
+      failure = this->GatherUnordered(context);
       break;
+  }
+  if (failure)
+  {
+    return failure;
   }
   return context.State.Resolve(
     this->ResolveStage,

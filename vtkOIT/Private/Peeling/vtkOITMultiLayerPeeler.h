@@ -45,8 +45,8 @@ private:
   bool HasPairs() const { return this->NumberOfLayers > 8; }
   int GetNumberOfSlots() const;
   void AddVariant(vtkOITShaderText& text) const;
-  void RenderGeometry(const vtkOITPeelContext& context);
-  void GatherUnordered(const vtkOITPeelContext& context);
+  vtkOITFailure RenderGeometry(const vtkOITPeelContext& context);
+  vtkOITFailure GatherUnordered(const vtkOITPeelContext& context);
 
   int NumberOfLayers = 8; // a peel: 4, 8 or 16
   Access UsedAccess = Access::Fetch;

@@ -23,7 +23,7 @@ struct vtkOITPeelContext
   /// In the last frame the first peel of this band had all layers.
   bool ExpectsAll;
   /// One geometry pass: the props are drawn under the peeler's gather.
-  std::function<void()> RenderGeometry;
+  std::function<vtkOITFailure()> RenderGeometry;
 };
 
 /**

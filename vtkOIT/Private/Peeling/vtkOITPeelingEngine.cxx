@@ -119,7 +119,7 @@ vtkOITFailure vtkOITPeelingEngine::DrawBand(const Task& task, const vtkOITRectan
   const vtkOITRectangle storage = isPart ? band : frame.FindStorage(band);
   const bool expectsAll = settings.UseOcclusionQuery && end.FirstHadAll;
   vtkOITPeelContext context{ frame, this->State, expectsAll, {} };
-  context.RenderGeometry = [this, &task, &context] { this->DrawGeometry(task, context); };
+  context.RenderGeometry = [this, &task, &context] { return this->DrawGeometry(task, context); };
   this->Culls =
     settings.UseOcclusionQuery && !expectsAll && peeler.CanCullProps() && frame.Props.size() > 1;
   if (this->Culls)
@@ -164,7 +164,8 @@ vtkOITFailure vtkOITPeelingEngine::Composite(
 }
 
 //------------------------------------------------------------------------------
-void vtkOITPeelingEngine::DrawGeometry(const Task& task, const vtkOITPeelContext& context)
+vtkOITFailure vtkOITPeelingEngine::DrawGeometry(
+  const Task& task, const vtkOITPeelContext& context)
 {
   vtkOITGather& gather = this->Chosen->GetGather();
   gather.SetUniforms(
@@ -179,15 +180,17 @@ void vtkOITPeelingEngine::DrawGeometry(const Task& task, const vtkOITPeelContext
       this->Chosen->SetUniforms(program, prop, context);
     });
   const std::vector<vtkProp*> props = this->Culls ? this->Culling.BeginPass() : task.Frame.Props;
+  vtkOITFailure failure;
   if (!props.empty())
   {
-    task.Geometry.Draw(props, gather);
+    failure = task.Geometry.Draw(props, gather);
   }
   if (this->Culls)
   {
     this->Culling.EndPass();
   }
   gather.SetUniforms({});
+  return failure;
 }
 
 //------------------------------------------------------------------------------

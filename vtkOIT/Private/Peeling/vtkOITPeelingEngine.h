@@ -54,7 +54,7 @@ private:
   vtkOITFailure PeelBand(const Task& task, const vtkOITPeelContext& context, End& end);
   vtkOITFailure Composite(
     const Task& task, const vtkOITPeelContext& context, const vtkOITRectangle& band, End& end);
-  void DrawGeometry(const Task& task, const vtkOITPeelContext& context);
+  vtkOITFailure DrawGeometry(const Task& task, const vtkOITPeelContext& context);
   bool IsFinished(std::size_t peels, std::size_t expected, std::int64_t fewestPixels);
 
   const char* AlgorithmName;

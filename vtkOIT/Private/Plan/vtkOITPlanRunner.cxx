@@ -33,8 +33,13 @@ void vtkOITPlanRunner::Run(const vtkOITPlan& plan, const vtkOITSettings& setting
   this->HasLayer = false;
   bool keepsLayer = plan.IsStill;
   vtkOITTarget target = plan.Frame.Target;
-  const Into into = this->ChooseTarget(task, keepsLayer, target);
-  const bool isBlended = this->Blend(task, target, into);
+  Into into = this->ChooseTarget(task, keepsLayer, target);
+  bool isBlended = false;
+  if (this->Blend(task, target, into, isBlended) && into == Into::Layer)
+  {
+    into = Into::Framebuffer; // the layer is dropped, with what is in it
+    isBlended = false;
+  }
   const vtkOITFrame& sorted = isBlended ? order.Sort : plan.Frame;
   this->Sort(task, into == Into::Layer ? sorted.On(target) : sorted);
   if (isBlended)
@@ -132,27 +137,36 @@ vtkOITPlanRunner::Into vtkOITPlanRunner::ChooseTarget(
 }
 
 //------------------------------------------------------------------------------
-// False when there is nothing to blend, or nothing to blend it into: then all props are sorted.
-bool vtkOITPlanRunner::Blend(const Task& task, const vtkOITTarget& target, Into into)
+// Not blended, with nothing to blend or nothing to blend it into, or when that fails before anything
+// is drawn: then all props are sorted. What has failed later is a fault of the picture, unless it is
+// only in the layer.
+vtkOITFailure vtkOITPlanRunner::Blend(
+  const Task& task, const vtkOITTarget& target, Into into, bool& isBlended)
 {
   const vtkOITBlendSteps& blend = task.Order.Blend;
+  isBlended = false;
   if (blend.NumberOfProps == 0 || (blend.MaximumLayers > 1 && into == Into::Framebuffer))
   {
-    return false;
+    return {};
   }
-  task.Statistics.AddToSummary(std::to_string(blend.NumberOfProps) + " of " +
-    std::to_string(task.Plan.Frame.Props.size()) + " props blended: their order is known");
   this->Blending.SetSteps(&blend);
   this->Blending.SetLayerBeside(into == Into::Beside ? &this->Layer : nullptr);
-  const vtkOITFailure failure =
+  vtkOITFailure failure =
     this->Blending.Draw(task.Plan.Frame.On(target), task.Settings, task.Geometry, task.Statistics);
+  if (failure && (into == Into::Layer || !failure.Undrawn.empty()))
+  {
+    return failure;
+  }
+  isBlended = true;
+  task.Statistics.AddToSummary(std::to_string(blend.NumberOfProps) + " of " +
+    std::to_string(task.Plan.Frame.Props.size()) + " props blended: their order is known");
   task.Statistics.Algorithm = this->Blending.GetAlgorithmName(task.Settings);
   task.Statistics.Reason = "the order of all props is known";
   if (failure)
   {
-    task.Statistics.NoteFault(failure.GetReason());
+    task.Statistics.NoteFault("Some props are left out: " + failure.GetReason());
   }
-  return true;
+  return failure;
 }
 
 //------------------------------------------------------------------------------
@@ -191,7 +205,9 @@ bool vtkOITPlanRunner::CompositeLayer(const Task& task, bool keepsLayer)
   {
     return false;
   }
-  this->HasLayer = keepsLayer;
+  // The next frame tries again what has failed in this one.
+  this->HasLayer =
+    keepsLayer && task.Statistics.Fault.empty() && task.Statistics.Warning.empty();
   this->LayerStatistics = task.Statistics;
   return true;
 }

@@ -167,9 +167,9 @@ vtkOITFailure vtkOITWeightedEngine::AddUp(const vtkOITFrame& frame, const vtkOIT
       state->vtkglDepthMask(GL_FALSE);
       this->Interval.SetUniforms(program);
     });
-  geometry.Draw(frame.Props, this->Gather);
+  vtkOITFailure failure = geometry.Draw(frame.Props, this->Gather);
   this->Gather.SetUniforms({});
-  return {};
+  return failure;
 }
 
 //------------------------------------------------------------------------------

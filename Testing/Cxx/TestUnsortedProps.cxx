@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Props made of parts, as representations of widgets and vtkAnnotatedCubeActor are, which do not
+// hand on their property keys. Where they list their parts, these are sorted. Where they do not, or
+// say that they have nothing translucent, they are blended after or before all others: that is not
+// exact, but takes nothing away from the others.
+
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+
+#include "vtkActor.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+
+using namespace vtkOITTest;
+
+namespace
+{
+class Composite : public vtkProp
+{
+public:
+  static Composite* New();
+  vtkTypeMacro(Composite, vtkProp);
+
+  double* GetBounds() override { return this->Part->GetBounds(); }
+  vtkTypeBool HasTranslucentPolygonalGeometry() override { return this->Denies ? 0 : 1; }
+  int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override
+  {
+    return this->Part->RenderTranslucentPolygonalGeometry(viewport);
+  }
+  void GetActors(vtkPropCollection* actors) override
+  {
+    if (this->Lists)
+    {
+      actors->AddItem(this->Part);
+    }
+  }
+
+  vtkSmartPointer<vtkActor> Part;
+  bool Lists = false;
+  bool Denies = false;
+
+protected:
+  Composite() = default;
+  ~Composite() override = default;
+};
+vtkStandardNewMacro(Composite);
+
+constexpr int Width = 16;
+const Layer Near{ 0.25f, { 0.0f, 0.75f, 0.25f, 0.25f } };
+const Layer Middle{ 0.5f, { 0.875f, 0.0f, 0.125f, 0.5f } };
+const Layer Far{ 0.75f, { 0.25f, 0.125f, 1.0f, 0.75f } };
+
+/// The middle layer is a part, in the left half, between two quads. `drawn`: the layers there, as
+/// they are blended, nearest first.
+void TestPart(Report& report, const Setup& setup, const std::string& what, bool lists, bool denies,
+  std::vector<Layer> drawn)
+{
+  Rig rig(setup, Width, 12);
+  vtkActor* part = rig.AddQuad(Middle, { 0.0, 0.0, Width / 2.0, 12.0 });
+  vtkNew<Composite> composite;
+  composite->Part = part;
+  composite->Lists = lists;
+  composite->Denies = denies;
+  rig.Renderer->RemoveViewProp(part);
+  rig.AddQuad(Near);
+  rig.Renderer->AddViewProp(composite);
+  rig.AddQuad(Far);
+  for (std::size_t i = 0; i < drawn.size(); ++i)
+  {
+    drawn[i].Depth = 0.25f * static_cast<float>(i + 1); // as far as the reference can tell
+  }
+  const glm::dvec4 background = rig.GetBackground();
+  const std::vector<Layer> beside{ Near, Far };
+  const Tolerance tolerance =
+    ReferenceCompositor::RoundingBound(drawn, background, setup.FragmentStorage);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    report.Compare(
+      what, rig.Render(),
+      [&](int x, int)
+      { return ReferenceCompositor::Composite(x < Width / 2 ? drawn : beside, background); },
+      tolerance);
+    report.Check(rig.Pass->GetExact() == lists, what + ": wrong promise");
+  }
+}
+}
+
+int TestUnsortedProps(int argc, char* argv[])
+{
+  return RunTest(argc, argv, Setups::Storages,
+    [](Report& report, const Setup& setup)
+    {
+      vtkObject::GlobalWarningDisplayOff(); // one warning for each is what is wanted
+      TestPart(report, setup, "listed", true, false, { Near, Middle, Far });
+      TestPart(report, setup, "not listed", false, false, { Middle, Near, Far });
+      TestPart(report, setup, "denied", false, true, { Near, Far, Middle });
+      vtkObject::GlobalWarningDisplayOn();
+    });
+}

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkOITPropParts_h
+#define vtkOITPropParts_h
+
+#include <vector>
+
+class vtkProp;
+
+/// Whether a prop is an actor that one of VTK's own mappers draws, all of which ask our hooks.
+bool vtkOITIsSimpleActor(vtkProp* prop);
+
+/// The actors that props say they are made of (vtkProp::GetActors()), such as the faces of a
+/// vtkAnnotatedCubeActor, and that they do not hand on their property keys to, as assemblies do.
+std::vector<vtkProp*> vtkOITFindParts(const std::vector<vtkProp*>& props);
+
+#endif

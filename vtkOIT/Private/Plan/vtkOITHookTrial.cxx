@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Plan/vtkOITHookTrial.h"
+
+#include "Private/Engine/vtkOITGeometry.h"
+#include "Private/Engine/vtkOITPropParts.h"
+#include "Private/Frame/vtkOITFrame.h"
+
+#include "vtkOITHookTrialFS.h"
+
+#include "vtkOpenGLState.h"
+#include "vtkProp.h"
+
+#include <iterator>
+#include <utility>
+
+namespace
+{
+constexpr int Side = 128; // pixels of the picture: lines and small parts are drawn into it, too
+}
+
+//------------------------------------------------------------------------------
+vtkOITHookTrial::vtkOITHookTrial()
+{
+  this->Gather.SetStage(vtkOITShaderText({ vtkOITHookTrialFS }));
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkProp*> vtkOITHookTrial::TakeUnhooked(vtkOITFrame& frame, vtkOITGeometry& geometry)
+{
+  std::vector<vtkProp*> unhooked;
+  std::vector<vtkProp*> hooked;
+  for (vtkProp* prop : frame.Props)
+  {
+    if (vtkOITIsSimpleActor(prop))
+    {
+      hooked.push_back(prop);
+      continue;
+    }
+    Entry& entry = this->Entries[prop];
+    const vtkMTimeType time = prop->GetRedrawMTime();
+    if (entry.Prop != prop)
+    {
+      entry = { prop, Found::Nothing, 0 };
+    }
+    if (entry.Result == Found::Nothing || (entry.Result == Found::Hooked && entry.Time != time))
+    {
+      entry.Result = this->Try(frame, geometry, prop);
+      entry.Time = time;
+    }
+    (entry.Result == Found::Unhooked ? unhooked : hooked).push_back(prop);
+  }
+  frame.Props = std::move(hooked);
+  for (auto it = this->Entries.begin(); it != this->Entries.end();)
+  {
+    it = it->second.Prop ? std::next(it) : this->Entries.erase(it);
+  }
+  return unhooked;
+}
+
+//------------------------------------------------------------------------------
+// Where no trial is possible, the prop is taken for one that asks.
+vtkOITHookTrial::Found vtkOITHookTrial::Try(
+  const vtkOITFrame& frame, vtkOITGeometry& geometry, vtkProp* prop)
+{
+  vtkOpenGLState* state = frame.GLState;
+  if (this->Picture.Reserve(frame.Window, Side, Side, 1, GL_RGBA16F) ||
+    this->Framebuffer.Bind(frame.Window, { this->Picture.GetLayer(0) }))
+  {
+    return Found::Nothing;
+  }
+  frame.BeginStorage({ 0, 0, Side, Side }, { 0, 0, 0, 0 });
+  state->vtkglViewport(0, 0, Side, Side);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  this->Query.Begin(frame.Window, 0);
+  const int draws = geometry.Try(prop, this->Gather);
+  vtkOITOcclusionQueries::End();
+  if (this->Query.GetResult(0) > 0)
+  {
+    return Found::Unhooked;
+  }
+  return draws > 0 ? Found::Hooked : Found::Nothing;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITHookTrial::Release()
+{
+  this->Entries.clear();
+  this->Picture.Release();
+  this->Framebuffer.Release();
+  this->Query.Release();
+}
