@@ -37,6 +37,7 @@ def libraries(build):
 def key(build, what):
     """A digest of a build's libraries, of what is drawn and of how, str. what: dict."""
     digest = hashlib.sha256(json.dumps(what, sort_keys=True).encode())
+    digest.update(os.environ.get("LP_NUM_THREADS", "").encode())
     for path in [*libraries(build), *SOURCES]:
         digest.update(path.read_bytes())
     return digest.hexdigest()[:16]
