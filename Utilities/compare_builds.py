@@ -12,11 +12,13 @@ For a change that is to change nothing: build A before it and B after it, in two
   compare_builds.py speed A B --instructions
 
 The scenes and how they are drawn come from the source tree of this script, the package vtkoit and the library from the
-builds. Windows are made by the build's vtkoit-python: OSMesa, or EGL. Only files of the same VTK, Mesa and machine can be
-equal.
+builds. Pictures of a build take about 10 minutes of one core: all methods in most scenes, their variants each in some;
+--scenes with --full draws them all. Windows are made by the build's vtkoit-python: OSMesa, or EGL. Only files of the same
+VTK, Mesa and machine can be equal.
 
 llvmpipe draws the same bits with one thread and with several: what the A-buffer collects comes in another order then, and is
-sorted. LP_NUM_THREADS need not be set.
+sorted. Only how many passes a peeling method needs may depend on when an occlusion query has its result; LP_NUM_THREADS=0
+for both builds makes that certain, too, and has pictures of its own in the cache.
 """
 
 import argparse

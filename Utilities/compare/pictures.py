@@ -3,6 +3,7 @@
 """Pictures of a build in a file, and what differs between two such files."""
 
 import collections
+import fcntl
 import hashlib
 import json
 import os
@@ -36,6 +37,7 @@ def libraries(build):
 def key(build, what):
     """A digest of a build's libraries, of what is drawn and of how, str. what: dict."""
     digest = hashlib.sha256(json.dumps(what, sort_keys=True).encode())
+    digest.update(os.environ.get("LP_NUM_THREADS", "").encode())
     for path in [*libraries(build), *SOURCES]:
         digest.update(path.read_bytes())
     return digest.hexdigest()[:16]
@@ -54,7 +56,7 @@ def environment(**values):
 def render(build, output, what):
     """Draws everything with a build into a file. output: Path. what: dict: size, patterns, methods, full. Raises Failure."""
     libraries(build)
-    part = output.with_name(output.name + ".part")
+    part = output.with_name("%s.%d.part" % (output.name, os.getpid()))
     part.unlink(missing_ok=True)
     try:
         for number, hidden in enumerate(TIERS):
@@ -73,11 +75,13 @@ def cached(build, folder, what):
     """The file of a build's pictures, Path; drawn unless the folder has it. Raises Failure."""
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / (key(build, what) + ".zip")
-    if path.exists():
-        print("%s: as drawn before, %s" % (build, path), file=sys.stderr)
-    else:
-        print("%s: drawing into %s" % (build, path), file=sys.stderr)
-        render(build, path, what)
+    with open(path.with_suffix(".lock"), "w", encoding="ascii") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)  # another one that draws the same is waited for
+        if path.exists():
+            print("%s: as drawn before, %s" % (build, path), file=sys.stderr)
+        else:
+            print("%s: drawing into %s" % (build, path), file=sys.stderr)
+            render(build, path, what)
     return path
 
 
