@@ -28,8 +28,8 @@ using namespace vtkOITTest;
 
 namespace
 {
-constexpr int Width = 48;
-constexpr int Height = 40;
+constexpr int Width = 24;
+constexpr int Height = 20;
 constexpr int Frames = 3; // an automatic pass keeps a layer in the second and reuses it in the third
 
 class Lines : public vtkOutputWindow
