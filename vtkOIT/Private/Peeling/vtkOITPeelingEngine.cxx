@@ -26,8 +26,9 @@ constexpr std::size_t MostPeels = 65536;
 /// Of pixels in which a peel takes nothing away, see vtkOITPeelStateFS.glsl.
 void NoteStall(vtkOITStatistics& statistics)
 {
-  statistics.NoteFault("Peeling was ended where it took nothing away: a prop draws past the pass, or "
-                       "differently each time. Take another method, e.g. vtkOITABufferPass");
+  statistics.NoteFault(
+    "Peeling was ended where it took nothing away: a prop draws past the pass. Take "
+    "another method, e.g. vtkOITABufferPass");
 }
 }
 
@@ -179,8 +180,7 @@ vtkOITFailure vtkOITPeelingEngine::Composite(
 }
 
 //------------------------------------------------------------------------------
-vtkOITFailure vtkOITPeelingEngine::DrawGeometry(
-  const Task& task, const vtkOITPeelContext& context)
+vtkOITFailure vtkOITPeelingEngine::DrawGeometry(const Task& task, const vtkOITPeelContext& context)
 {
   vtkOITGather& gather = this->Chosen->GetGather();
   gather.SetUniforms(

@@ -48,10 +48,8 @@
 #define OIT_STATE_BOUNDS 2
 #define OIT_STATE_BACK 3 // what was peeled from the back, where that is done
 
-// An error bound that means: peeling would not end here. Multi-layer peeling: peels that coincident
-// fragments may take.
+// Peeling: an error bound that means that it would not have ended here.
 #define OIT_STALLED 1e6
-#define OIT_MOST_COINCIDENT_PEELS 16384.0
 
 // Dual depth peeling: keys of no layer, near and far.
 #define OIT_NO_NEAR 0x7fffffff // behind all others

@@ -4,9 +4,8 @@
 // What a peeling pass keeps in each pixel from peel to peel, as layers of one texture array:
 //
 //   0  front: colour and transmittance of the layers peeled from the front
-//   1  statistics: fragments; peels in a row that did not advance the bounds; error bound of what was
-//      cut off; fragments that were lost, or 1 while the first peel of layers that are kept has no room
-//      for all
+//   1  statistics: fragments; unused; error bound of what was cut off; fragments that were lost, or
+//      1 while the first peel of layers that are kept has no room for all
 //   2  bounds: depth of the nearest and of the farthest fragment left, or of the kept layers that are
 //      just outside; nearest > farthest: none
 //   3  and on: what a method adds
@@ -54,19 +53,21 @@ void oitNoteError(float bound)
   oitState1.z = max(oitState1.z, bound);
 }
 
-// Each peel takes the nearest fragment, so what is left is farther away. Only coincident fragments
-// may take several peels (multi-layer peeling). A pixel of which this does not hold has been drawn
-// into past the Gather stage, or its fragments are others in each draw: it would be peeled for ever.
+// Each peel takes the nearest fragment, so what is left is behind it, or equal in depth and later in
+// the order of coincident fragments (multi-layer peeling). A pixel of which this does not hold has
+// been drawn into past the Gather stage: it would be peeled for ever.
+#ifdef OIT_SLOTS
+vec2 oitOrder; // of the last fragment that was taken; next to the bounds from peel to peel
+#endif
 bool oitIsStalled(float nearest)
 {
-  bool advances = nearest > oitState2.x || oitFirstResolve != 0;
+  bool advances = nearest > oitState2.x;
 #ifdef OIT_SLOTS
-  const float mostStalls = OIT_MOST_COINCIDENT_PEELS;
-#else
-  const float mostStalls = 0.0;
+  vec2 last = oitState2.zw;
+  bool isLater = oitOrder.x > last.x || (oitOrder.x == last.x && oitOrder.y > last.y);
+  advances = advances || (nearest == oitState2.x && isLater);
 #endif
-  oitState1.y = advances ? 0.0 : oitState1.y + 1.0;
-  return oitState1.y > mostStalls;
+  return oitFirstResolve == 0 && !advances;
 }
 
 // What is left in the pixel. Nothing is peeled any more behind a transmittance at the threshold.
