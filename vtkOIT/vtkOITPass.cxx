@@ -11,8 +11,8 @@
 #include "Private/Frame/vtkOITStatistics.h"
 #include "Private/GL/vtkOITAllocation.h"
 #include "Private/GL/vtkOITSavedState.h"
-#include "Private/Plan/vtkOITPlan.h"
 #include "Private/Plan/vtkOITHookTrial.h"
+#include "Private/Plan/vtkOITPlan.h"
 #include "Private/Plan/vtkOITPlanRunner.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -219,8 +219,8 @@ void vtkOITPass::DrawBeside(
   }
   if (delegate.GetNumberOfRenderedProps() > before)
   {
-    this->Impl->Unsorted = "Props that " + why + " are blended unsorted, such as a " +
-      props.front()->GetClassName();
+    this->Impl->Unsorted =
+      "Props that " + why + " are blended unsorted, such as a " + props.front()->GetClassName();
   }
 }
 

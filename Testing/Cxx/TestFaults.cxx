@@ -7,16 +7,16 @@
 
 #include "Oracle/ReferenceCompositor.h"
 #include "Rig/FaultInjector.h"
+#include "Rig/LineCatcher.h"
 #include "Rig/Rig.h"
 
 #include "vtkActor.h"
-#include "vtkNew.h"
-#include "vtkObjectFactory.h"
+#include "vtkActorCollection.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
-#include "vtkOutputWindow.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
 #include "vtkTesting.h"
 
 #include <algorithm>
@@ -28,58 +28,10 @@ using namespace vtkOITTest;
 
 namespace
 {
-constexpr int Width = 48;
-constexpr int Height = 40;
-constexpr int Frames = 3; // an automatic pass keeps a layer in the second and reuses it in the third
-
-class Lines : public vtkOutputWindow
-{
-public:
-  static Lines* New();
-  vtkTypeMacro(Lines, vtkOutputWindow);
-
-  void DisplayText(const char* text) override
-  {
-    const std::string line = WithoutAddress(text);
-    if (std::find(this->Ignored.begin(), this->Ignored.end(), line) == this->Ignored.end())
-    {
-      this->Texts.push_back(line);
-    }
-  }
-
-  std::vector<std::string> Texts;
-  std::vector<std::string> Ignored;
-
-private:
-  /// What comes after "ERROR: In file, line\nclass (address): ".
-  static std::string WithoutAddress(const std::string& text)
-  {
-    const std::size_t end = text.find("): ");
-    return end == std::string::npos ? text : text.substr(end + 3);
-  }
-};
-vtkStandardNewMacro(Lines);
-
-/// Errors and warnings while it lives, but for those that are usual.
-class LineCatcher
-{
-public:
-  explicit LineCatcher(const std::vector<std::string>& usual = {})
-    : Previous(vtkOutputWindow::GetInstance())
-  {
-    this->Caught->Ignored = usual;
-    vtkOutputWindow::SetInstance(this->Caught);
-  }
-  ~LineCatcher() { vtkOutputWindow::SetInstance(this->Previous); }
-  LineCatcher(const LineCatcher&) = delete;
-  void operator=(const LineCatcher&) = delete;
-
-  const std::vector<std::string>& GetTexts() const { return this->Caught->Texts; }
-
-private:
-  vtkSmartPointer<vtkOutputWindow> Previous;
-  vtkNew<Lines> Caught;
-};
+constexpr int Width = 24;
+constexpr int Height = 20;
+constexpr int Frames =
+  3; // an automatic pass keeps a layer in the second and reuses it in the third
 
 /// Two ramps that cross, and quads before, between and behind them: some are in a known order, the
 /// others not. Depths are equal nowhere, and the order changes between two columns.
@@ -173,8 +125,38 @@ public:
         }
       }
     }
-    std::printf("%s, %s: calls%s\n", this->TheSetup.Describe().c_str(), this->What.c_str(),
-      counts.c_str());
+    std::printf(
+      "%s, %s: calls%s\n", this->TheSetup.Describe().c_str(), this->What.c_str(), counts.c_str());
+  }
+
+  /// A shader of an actor that compiles as it is, but not with a stage of ours, however the user
+  /// has changed it: before VTK's own replacements, or after all of them.
+  void DrawWithBrokenShader(bool isBefore)
+  {
+    const std::string what = this->What + ", a shader that does not compile with ours, " +
+      (isBefore ? "before" : "after") + " VTK's replacements: ";
+    Rig rig(this->TheSetup, Width, Height);
+    this->Begin(rig, true);
+    vtkActor* actor = rig.Renderer->GetActors()->GetLastActor();
+    const LineCatcher catcher(this->UsualLines);
+    for (const bool isBroken : { false, true, true, false })
+    {
+      vtkShaderProperty* shaders = actor->GetShaderProperty();
+      shaders->ClearAllFragmentShaderReplacements();
+      if (isBroken)
+      {
+        const std::string place = isBefore ? "//VTK::Normal::Dec" : "//VTK::System::Dec";
+        shaders->AddFragmentShaderReplacement(
+          place, isBefore, place + "\nvec4 oitFragColor;\n", false);
+      }
+      const Frame drawn = this->Draw(rig);
+      this->TheReport.Check(isBroken ? !drawn.IsExact && !catcher.GetTexts().empty()
+                                     : drawn.IsRight && drawn.IsExact == this->IsUsuallyExact,
+        what + (isBroken ? "not said" : "not right without it"));
+    }
+    this->TheReport.Check(
+      catcher.GetTexts().size() == 1, what + "not one line" + catcher.Describe());
+    rig.Window->SetMultiSamples(0);
   }
 
 private:
@@ -204,8 +186,8 @@ private:
   Frame Draw(Rig& rig) const
   {
     const Image image = rig.RenderWindow();
-    const bool isRight = IsClose(
-      image, MakeTruth(this->TheScene, rig.GetBackground()), this->Allowed);
+    const bool isRight =
+      IsClose(image, MakeTruth(this->TheScene, rig.GetBackground()), this->Allowed);
     // A preview is right as it is without a fault; another method than its own is right, too.
     const Image& usual = this->Usual;
     const bool isUsual = !usual.Pixels.empty() &&
@@ -274,12 +256,8 @@ private:
       }
     }
     this->TheReport.Check(hits > 0, fault + "*: there was no such call");
-    std::string all;
-    for (const std::string& text : catcher.GetTexts())
-    {
-      all += "\n  " + text.substr(0, 300);
-    }
-    this->TheReport.Check(catcher.GetTexts().size() <= 1, fault + "*: more than one line:" + all);
+    this->TheReport.Check(
+      catcher.GetTexts().size() <= 1, fault + "*: more than one line" + catcher.Describe());
     rig.Window->SetMultiSamples(0);
   }
 
@@ -318,7 +296,10 @@ int TestFaults(int argc, char* argv[])
         {
           continue; // no method resolves samples there
         }
-        Attack(report, setup, Scene::Crossing, samples).Run();
+        Attack attack(report, setup, Scene::Crossing, samples);
+        attack.Run();
+        attack.DrawWithBrokenShader(true);
+        attack.DrawWithBrokenShader(false);
         if (setup.Method == "auto")
         {
           Attack(report, setup, Scene::Ordered, samples).Run();

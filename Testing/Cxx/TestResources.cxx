@@ -73,7 +73,10 @@ void RenderRound(Rig& rig, Setup setup, int round, int size)
     rig.Pass->SetMaximumBufferSize(round % 2 ? 1 << 20 : 0);
     setup.Attach(rig.Renderer, rig.Pass);
     rig.Window->Render();
-    rig.Pass->SetFragmentPrecision(1 - rig.Pass->GetFragmentPrecision());
+    if (setup.Method != "multilayer") // which keeps half floats only
+    {
+      rig.Pass->SetFragmentPrecision(1 - rig.Pass->GetFragmentPrecision());
+    }
     rig.Window->Render();
     if (use != Use::Installed)
     {

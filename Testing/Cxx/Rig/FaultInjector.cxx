@@ -5,8 +5,8 @@
 #include "Rig/GLObjects.h"
 
 #if defined(__linux__)
-#include "vtkOITPassFactory.h"
 #include "vtkOITPass.h"
+#include "vtkOITPassFactory.h"
 #include "vtkSmartPointer.h"
 
 #include <dlfcn.h>
@@ -29,8 +29,8 @@ bool FailsFromThenOn = false;
 bool Hit(FaultInjector::Kind kind)
 {
   const int number = ++Calls[kind];
-  const bool fails = kind == FailingKind &&
-    (FailsFromThenOn ? number >= FirstToFail : number == FirstToFail);
+  const bool fails =
+    kind == FailingKind && (FailsFromThenOn ? number >= FirstToFail : number == FirstToFail);
   Faults += fails ? 1 : 0;
   return fails;
 }
@@ -135,8 +135,7 @@ void GLAPIENTRY MyTexImage3D(GLenum target, GLint level, GLint internal, GLsizei
 {
   if (!FailsToAllocate(FaultInjector::Texture, IS_OURS()))
   {
-    RealTexImage3D(
-      target, level, internal, width, height, depth, border, format, type, pixels);
+    RealTexImage3D(target, level, internal, width, height, depth, border, format, type, pixels);
   }
 }
 
@@ -158,8 +157,8 @@ void GLAPIENTRY MyTexStorage3D(
   }
 }
 
-void GLAPIENTRY MyTexImage2DMultisample(GLenum target, GLsizei samples, GLenum format,
-  GLsizei width, GLsizei height, GLboolean isFixed)
+void GLAPIENTRY MyTexImage2DMultisample(
+  GLenum target, GLsizei samples, GLenum format, GLsizei width, GLsizei height, GLboolean isFixed)
 {
   if (!FailsToAllocate(FaultInjector::Texture, IS_OURS()))
   {
@@ -167,8 +166,8 @@ void GLAPIENTRY MyTexImage2DMultisample(GLenum target, GLsizei samples, GLenum f
   }
 }
 
-void GLAPIENTRY MyTexStorage2DMultisample(GLenum target, GLsizei samples, GLenum format,
-  GLsizei width, GLsizei height, GLboolean isFixed)
+void GLAPIENTRY MyTexStorage2DMultisample(
+  GLenum target, GLsizei samples, GLenum format, GLsizei width, GLsizei height, GLboolean isFixed)
 {
   if (!FailsToAllocate(FaultInjector::Texture, IS_OURS()))
   {

@@ -65,8 +65,8 @@ private:
   std::optional<vtkOITDrawBinding> Binding;
   std::unordered_map<std::string, std::string> Wrapped; // texts of mappers, and what became of them
   std::unordered_map<std::string, vtkWeakPointer<vtkShaderProgram>> Proven; // by all of their texts
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window;         // of Proven, and that is drawn into
-  vtkOITFailure Failure;                                // while drawing
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of Proven, and that is drawn into
+  vtkOITFailure Failure;                        // while drawing
   int NumberOfDraws = 0;
 };
 

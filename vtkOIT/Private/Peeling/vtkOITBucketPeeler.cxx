@@ -174,8 +174,9 @@ vtkOITFailure vtkOITBucketPeeler::GatherHistogram(const vtkOITPeelContext& conte
   failure = context.RenderGeometry();
   this->IsHistogram = false;
   glDisable(GL_COLOR_LOGIC_OP);
-  return failure ? failure : this->DrawLayers(context, this->BucketBounds, this->EqualizeStage, vtkOITBucketEqualizeFS,
-    "oitHistogram", this->Histogram);
+  return failure ? failure
+                 : this->DrawLayers(context, this->BucketBounds, this->EqualizeStage,
+                     vtkOITBucketEqualizeFS, "oitHistogram", this->Histogram);
 }
 
 //------------------------------------------------------------------------------
@@ -192,8 +193,9 @@ vtkOITFailure vtkOITBucketPeeler::GatherDepths(const vtkOITPeelContext& context)
   gl->vtkglBlendEquationSeparate(GL_MAX, GL_MAX);
   gl->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   vtkOITFailure failure = context.RenderGeometry();
-  return failure ? failure : this->DrawLayers(
-    context, this->Slots, this->SlotsStage, vtkOITBucketSlotsFS, "oitDepths", this->Depths);
+  return failure ? failure
+                 : this->DrawLayers(context, this->Slots, this->SlotsStage, vtkOITBucketSlotsFS,
+                     "oitDepths", this->Depths);
 }
 
 //------------------------------------------------------------------------------

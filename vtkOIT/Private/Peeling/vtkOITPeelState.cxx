@@ -231,6 +231,7 @@ vtkOITFailure vtkOITPeelState::Resolve(vtkOITScreenStage& stage,
       }
       program->SetUniformf(
         "oitTransmittanceThreshold", static_cast<float>(this->TransmittanceThreshold));
+      program->SetUniformi("oitFirstResolve", this->HasMask ? 0 : 1);
       setUniforms(program);
     });
   state->vtkglDepthFunc(GL_LEQUAL);

@@ -7,6 +7,7 @@
 #include "Private/Frame/vtkOITSettings.h"
 #include "Private/Frame/vtkOITStatistics.h"
 #include "Private/Peeling/vtkOITPeeler.h"
+#include "glsl/Common/vtkOITConstants.h"
 
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
@@ -18,6 +19,17 @@ namespace
 {
 // Without queries and without a limit; what the sample of Bavoil and Myers starts with.
 constexpr int FixedNumberOfPeels = 4;
+
+// More than any scene has layers: whatever a driver counts, peeling ends.
+constexpr std::size_t MostPeels = 65536;
+
+/// Of pixels in which a peel takes nothing away, see vtkOITPeelStateFS.glsl.
+void NoteStall(vtkOITStatistics& statistics)
+{
+  statistics.NoteFault(
+    "Peeling was ended where it took nothing away: a prop draws past the pass. Take "
+    "another method, e.g. vtkOITABufferPass");
+}
 }
 
 //------------------------------------------------------------------------------
@@ -158,14 +170,17 @@ vtkOITFailure vtkOITPeelingEngine::Composite(
   end.FirstHadAll = end.FirstHadAll && result.ErrorBound == 0.0;
   task.Statistics.NoteFragments(result.Fragments, result.MostFragments);
   task.Statistics.NumberOfLostFragments += result.Lost;
-  task.Statistics.NoteError(result.ErrorBound);
+  if (result.ErrorBound >= OIT_STALLED)
+  {
+    NoteStall(task.Statistics);
+  }
+  task.Statistics.NoteError(std::min(result.ErrorBound, 1.0));
   task.Statistics.Exact = task.Statistics.Exact && result.Lost == 0;
   return {};
 }
 
 //------------------------------------------------------------------------------
-vtkOITFailure vtkOITPeelingEngine::DrawGeometry(
-  const Task& task, const vtkOITPeelContext& context)
+vtkOITFailure vtkOITPeelingEngine::DrawGeometry(const Task& task, const vtkOITPeelContext& context)
 {
   vtkOITGather& gather = this->Chosen->GetGather();
   gather.SetUniforms(
@@ -209,7 +224,8 @@ vtkOITFailure vtkOITPeelingEngine::PeelBand(
   const std::size_t setUp = peeler.GetNumberOfSetUpPeels();
   std::size_t peels = 0;
   bool isFinished = false;
-  while (!isFinished && (limit == 0 || peels < setUp + limit))
+  const std::size_t most = std::min(limit == 0 ? MostPeels : setUp + limit, MostPeels);
+  while (!isFinished && peels < most)
   {
     vtkOITFailure failure = peeler.Peel(context, static_cast<int>(peels));
     if (!failure && peeler.HasAll())
@@ -232,6 +248,10 @@ vtkOITFailure vtkOITPeelingEngine::PeelBand(
   const vtkOITPeelRegion& region = this->State.GetRegion();
   const bool hasRest = !isFinished || (fewestPixels > 0 && region.GetRemaining(peels - 1) > 0);
   task.Statistics.NumberOfPeels += static_cast<int>(peels);
+  if (!isFinished && most == MostPeels)
+  {
+    NoteStall(task.Statistics);
+  }
   if (settings.UseOcclusionQuery)
   {
     // Fewer may have done, when the result was not there in time.

@@ -206,8 +206,7 @@ bool vtkOITPlanRunner::CompositeLayer(const Task& task, bool keepsLayer)
     return false;
   }
   // The next frame tries again what has failed in this one.
-  this->HasLayer =
-    keepsLayer && task.Statistics.Fault.empty() && task.Statistics.Warning.empty();
+  this->HasLayer = keepsLayer && task.Statistics.Fault.empty() && task.Statistics.Warning.empty();
   this->LayerStatistics = task.Statistics;
   return true;
 }

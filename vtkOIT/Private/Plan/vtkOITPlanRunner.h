@@ -62,8 +62,7 @@ private:
   bool Reuse(const vtkOITPlan& plan, vtkOITStatistics& statistics);
   Into ChooseTarget(const Task& task, bool& keepsLayer, vtkOITTarget& target);
   bool MakeRoom(std::int64_t needed, std::int64_t forSorting, std::int64_t limit);
-  vtkOITFailure Blend(
-    const Task& task, const vtkOITTarget& target, Into into, bool& isBlended);
+  vtkOITFailure Blend(const Task& task, const vtkOITTarget& target, Into into, bool& isBlended);
   void Sort(const Task& task, const vtkOITFrame& frame);
   bool CompositeLayer(const Task& task, bool keepsLayer);
 

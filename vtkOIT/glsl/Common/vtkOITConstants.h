@@ -48,6 +48,9 @@
 #define OIT_STATE_BOUNDS 2
 #define OIT_STATE_BACK 3 // what was peeled from the back, where that is done
 
+// Peeling: an error bound that means that it would not have ended here.
+#define OIT_STALLED 1e6
+
 // Dual depth peeling: keys of no layer, near and far.
 #define OIT_NO_NEAR 0x7fffffff // behind all others
 #define OIT_NO_FAR 0           // before all others

@@ -97,10 +97,11 @@ void main()
 #else
   bool isMore = (flags & OIT_MORE) != 0u;
 #endif
+  oitOrder = vec2(float(id >> 16u), float(id & 0xffffu));
   oitSetBounds(isMore ? uintBitsToFloat(last) : 2.0, isMore ? 1.0 : -2.0);
   if (oitState2.x > oitState2.y)
   {
     oitCloseGroup(); // also where the transmittance ended the peeling
   }
-  oitState2.zw = vec2(float(id >> 16u), float(id & 0xffffu));
+  oitState2.zw = oitOrder;
 }

@@ -29,6 +29,7 @@ OIT_STATE_LAYER(1)
 OIT_STATE_LAYER(2)
 
 uniform float oitTransmittanceThreshold;
+uniform int oitFirstResolve; // not 0: there are no bounds yet
 
 void oitLoadCommonState()
 {
@@ -52,10 +53,32 @@ void oitNoteError(float bound)
   oitState1.z = max(oitState1.z, bound);
 }
 
+// Each peel takes the nearest fragment, so what is left is behind it, or equal in depth and later in
+// the order of coincident fragments (multi-layer peeling). A pixel of which this does not hold has
+// been drawn into past the Gather stage: it would be peeled for ever.
+#ifdef OIT_SLOTS
+vec2 oitOrder; // of the last fragment that was taken; next to the bounds from peel to peel
+#endif
+bool oitIsStalled(float nearest)
+{
+  bool advances = nearest > oitState2.x;
+#ifdef OIT_SLOTS
+  vec2 last = oitState2.zw;
+  bool isLater = oitOrder.x > last.x || (oitOrder.x == last.x && oitOrder.y > last.y);
+  advances = advances || (nearest == oitState2.x && isLater);
+#endif
+  return oitFirstResolve == 0 && !advances;
+}
+
 // What is left in the pixel. Nothing is peeled any more behind a transmittance at the threshold.
 void oitSetBounds(float nearest, float farthest)
 {
   bool isAlive = nearest <= farthest;
+  if (isAlive && oitIsStalled(nearest))
+  {
+    oitNoteError(OIT_STALLED);
+    isAlive = false;
+  }
   if (isAlive && oitTransmittanceThreshold > 0.0 && oitState0.a <= oitTransmittanceThreshold)
   {
     oitNoteError(oitState0.a);
