@@ -10,6 +10,7 @@
 #include "Rig/Rig.h"
 
 #include "vtkActor.h"
+#include "vtkAssembly.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPropCollection.h"
@@ -25,11 +26,11 @@ public:
   static Composite* New();
   vtkTypeMacro(Composite, vtkProp);
 
-  double* GetBounds() override { return this->Part->GetBounds(); }
+  double* GetBounds() override { return this->Drawn->GetBounds(); }
   vtkTypeBool HasTranslucentPolygonalGeometry() override { return this->Denies ? 0 : 1; }
   int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override
   {
-    return this->Part->RenderTranslucentPolygonalGeometry(viewport);
+    return this->Drawn->RenderTranslucentPolygonalGeometry(viewport);
   }
   void GetActors(vtkPropCollection* actors) override
   {
@@ -40,6 +41,7 @@ public:
   }
 
   vtkSmartPointer<vtkActor> Part;
+  vtkSmartPointer<vtkProp3D> Drawn; // the part, or an assembly of it
   bool Lists = false;
   bool Denies = false;
 
@@ -57,12 +59,19 @@ const Layer Far{ 0.75f, { 0.25f, 0.125f, 1.0f, 0.75f } };
 /// The middle layer is a part, in the left half, between two quads. `drawn`: the layers there, as
 /// they are blended, nearest first.
 void TestPart(Report& report, const Setup& setup, const std::string& what, bool lists, bool denies,
-  std::vector<Layer> drawn)
+  bool assembles, std::vector<Layer> drawn)
 {
   Rig rig(setup, Width, 12);
   vtkActor* part = rig.AddQuad(Middle, { 0.0, 0.0, Width / 2.0, 12.0 });
   vtkNew<Composite> composite;
   composite->Part = part;
+  composite->Drawn = part;
+  if (assembles)
+  {
+    vtkNew<vtkAssembly> assembly;
+    assembly->AddPart(part);
+    composite->Drawn = assembly;
+  }
   composite->Lists = lists;
   composite->Denies = denies;
   rig.Renderer->RemoveViewProp(part);
@@ -95,9 +104,10 @@ int TestUnsortedProps(int argc, char* argv[])
     [](Report& report, const Setup& setup)
     {
       vtkObject::GlobalWarningDisplayOff(); // one warning for each is what is wanted
-      TestPart(report, setup, "listed", true, false, { Near, Middle, Far });
-      TestPart(report, setup, "not listed", false, false, { Middle, Near, Far });
-      TestPart(report, setup, "denied", false, true, { Near, Far, Middle });
+      TestPart(report, setup, "listed", true, false, false, { Near, Middle, Far });
+      TestPart(report, setup, "listed, in an assembly", true, false, true, { Near, Middle, Far });
+      TestPart(report, setup, "not listed", false, false, false, { Middle, Near, Far });
+      TestPart(report, setup, "denied", false, true, false, { Near, Far, Middle });
       vtkObject::GlobalWarningDisplayOn();
     });
 }

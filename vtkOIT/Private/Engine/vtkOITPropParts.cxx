@@ -29,31 +29,47 @@ bool vtkOITIsSimpleActor(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
+// Assemblies inside of a prop are found as consumers of their parts: they replace the keys of these
+// by their own. Parts share the keys of a prop that hands them on, and need no others then.
 std::vector<vtkProp*> vtkOITFindParts(const std::vector<vtkProp*>& props)
 {
-  // Parts share the keys of their prop where it hands them on.
   std::set<vtkInformation*> keys;
+  std::set<vtkProp*> seen;
+  std::vector<vtkProp*> found;
   for (vtkProp* prop : props)
   {
     keys.insert(prop->GetPropertyKeys());
+    seen.insert(prop);
+    if (!vtkOITIsSimpleActor(prop))
+    {
+      vtkNew<vtkPropCollection> actors;
+      prop->GetActors(actors);
+      vtkCollectionSimpleIterator it;
+      actors->InitTraversal(it);
+      while (vtkProp* part = actors->GetNextProp(it))
+      {
+        found.push_back(part);
+      }
+    }
   }
   std::vector<vtkProp*> parts;
-  for (vtkProp* prop : props)
+  for (std::size_t i = 0; i < found.size(); ++i)
   {
-    if (vtkOITIsSimpleActor(prop))
+    vtkProp* part = found[i];
+    if (!seen.insert(part).second)
     {
       continue;
     }
-    vtkNew<vtkPropCollection> actors;
-    prop->GetActors(actors);
-    vtkCollectionSimpleIterator it;
-    actors->InitTraversal(it);
-    while (vtkProp* part = actors->GetNextProp(it))
+    for (int consumer = 0; consumer < part->GetNumberOfConsumers(); ++consumer)
     {
-      if (part != prop && (!part->GetPropertyKeys() || keys.insert(part->GetPropertyKeys()).second))
+      if (auto* assembly = vtkProp::SafeDownCast(part->GetConsumer(consumer)))
       {
-        parts.push_back(part);
+        found.push_back(assembly);
       }
+    }
+    if (!part->GetPropertyKeys() || keys.insert(part->GetPropertyKeys()).second)
+    {
+      parts.push_back(part);
     }
   }
   return parts;

@@ -10,7 +10,7 @@ class vtkProp;
 /// Whether a prop is an actor that one of VTK's own mappers draws, all of which ask our hooks.
 bool vtkOITIsSimpleActor(vtkProp* prop);
 
-/// The actors that props say they are made of (vtkProp::GetActors()), such as the faces of a
+/// The actors and assemblies that props say they are made of (vtkProp::GetActors()), such as the faces of a
 /// vtkAnnotatedCubeActor, and that they do not hand on their property keys to, as assemblies do.
 std::vector<vtkProp*> vtkOITFindParts(const std::vector<vtkProp*>& props);
 
