@@ -155,8 +155,8 @@ void vtkOITPass::Render(const vtkRenderState* state)
   {
     this->Impl->Unsorted.clear();
     vtkOITDelegate delegate(this->TranslucentPass, state);
-    this->DrawBeside(
-      delegate, vtkOITFindDenyingProps(state), "say that they have nothing translucent");
+    this->DrawBeside(delegate, vtkOITFindDenyingProps(state),
+      "Props that say that they have nothing translucent are blended unsorted, such as a ");
     this->NumberOfRenderedProps = delegate.GetNumberOfRenderedProps();
     if (!props.empty())
     {
@@ -186,7 +186,8 @@ void vtkOITPass::Draw(const vtkRenderState* state, std::vector<vtkProp*> props)
   vtkOITAllocation::TakeErrors();
   const std::vector<vtkProp*> unhooked = this->DrawSorted(frame, delegate);
   this->Impl->Statistics.NumberOfGeometryPasses = delegate.GetNumberOfPasses();
-  this->DrawBeside(delegate, unhooked, "draw past VTK's render passes");
+  this->DrawBeside(delegate, unhooked,
+    "Props that draw past VTK's render passes are blended unsorted, such as a ");
   this->NumberOfRenderedProps += delegate.GetNumberOfRenderedProps();
 }
 
@@ -210,7 +211,7 @@ std::vector<vtkProp*> vtkOITPass::DrawSorted(vtkOITFrame& frame, vtkOITDelegate&
 
 //------------------------------------------------------------------------------
 void vtkOITPass::DrawBeside(
-  vtkOITDelegate& delegate, const std::vector<vtkProp*>& props, const std::string& why)
+  vtkOITDelegate& delegate, const std::vector<vtkProp*>& props, const std::string& line)
 {
   const int before = delegate.GetNumberOfRenderedProps();
   if (!props.empty())

@@ -191,7 +191,7 @@ private:
   void Draw(const vtkRenderState* state, std::vector<vtkProp*> props);
   std::vector<vtkProp*> DrawSorted(vtkOITFrame& frame, vtkOITDelegate& delegate);
   void DrawBeside(
-    vtkOITDelegate& delegate, const std::vector<vtkProp*>& props, const std::string& why);
+    vtkOITDelegate& delegate, const std::vector<vtkProp*>& props, const std::string& line);
   void DrawUnsorted(const vtkRenderState* state, const std::string& reason);
   void Report();
 

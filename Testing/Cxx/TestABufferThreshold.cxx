@@ -9,6 +9,7 @@
 #include "Rig/Rig.h"
 #include "Scenes/Random.h"
 
+#include "vtkActor.h"
 #include "vtkOITABufferPass.h"
 
 #include <algorithm>
@@ -68,11 +69,12 @@ void CheckThreshold(Report& report, Rig& rig, const Setup& setup, int count, flo
       ", groups of " + std::to_string(together) + ", threshold " + std::to_string(threshold);
     pass->SetTransmittanceThreshold(threshold);
     Image first;
-    std::vector<Layer> drawn = layers;
+    rig.RemoveProps();
+    rig.AddStack(layers);
+    auto drawn = rig.GetActors();
     for (int order = 0; order < frames; ++order)
     {
-      rig.RemoveProps();
-      rig.AddStack(drawn);
+      rig.SetDrawOrder(drawn);
       const Image image = rig.Render();
       first = order == 0 ? image : first;
       report.CompareBits(what + ", order " + std::to_string(order), image, first);

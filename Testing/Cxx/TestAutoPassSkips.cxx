@@ -196,14 +196,27 @@ void CheckPlanes(Report& report, const Setup& setup)
 int TestAutoPassSkips(int argc, char* argv[])
 {
   return RunTest(argc, argv, Setups::Storages,
-    [](Report& report, const Setup& setup)
+    [&](Report& report, const Setup& setup)
     {
-      for (const auto& scenes : { GetInvisibleScenes(), GetFlatScenes(), GetClosedScenes() })
+      std::vector<std::vector<SkipScene>> parts;
+      if (IsAsked(argc, argv, "flat"))
+      {
+        parts = { GetInvisibleScenes(), GetFlatScenes() };
+      }
+      if (IsAsked(argc, argv, "closed"))
+      {
+        parts.push_back(GetClosedScenes());
+      }
+      for (const std::vector<SkipScene>& scenes : parts)
       {
         for (const SkipScene& scene : scenes)
         {
           CheckScene(report, setup, scene);
         }
+      }
+      if (!IsAsked(argc, argv, "flat"))
+      {
+        return;
       }
       CheckModelTransform(report, setup);
       CheckHiddenFragments(report, setup);

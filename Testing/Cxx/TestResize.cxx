@@ -18,11 +18,11 @@ namespace
 void CheckGrowth(Report& report, const Setup& setup)
 {
   const std::vector<Layer> layers = Random(18).Layers(9);
-  Rig rig(setup, 96, 96);
+  Rig rig(setup, 64, 64);
   rig.Pass->SetMaximumBufferSize(64 << 20);
   const glm::dvec4 background = rig.GetBackground();
   const glm::dvec4 inside = ReferenceCompositor::Composite(layers, background);
-  for (int size = 8; size <= 96; size += 8)
+  for (int size = 8; size <= 64; size += 8)
   {
     const PixelRectangle rectangle{ 0.0, 0.0, double(size), double(size) };
     rig.RemoveProps();

@@ -5,6 +5,7 @@
 #include "Rig/GLObjects.h"
 
 #include "vtkActor.h"
+#include "vtkActorCollection.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCommand.h"
@@ -16,6 +17,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderPass.h"
 #include "vtkRenderer.h"
@@ -254,6 +256,30 @@ vtkActor* Rig::AddEqualLayers(const std::vector<float>& depths, const glm::vec4&
 void Rig::RemoveProps()
 {
   this->Renderer->RemoveAllViewProps();
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkActor>> Rig::GetActors() const
+{
+  vtkActorCollection* all = this->Renderer->GetActors();
+  std::vector<vtkSmartPointer<vtkActor>> actors;
+  all->InitTraversal();
+  while (vtkActor* actor = all->GetNextActor())
+  {
+    actors.emplace_back(actor);
+  }
+  return actors;
+}
+
+//------------------------------------------------------------------------------
+void Rig::SetDrawOrder(const std::vector<vtkSmartPointer<vtkActor>>& actors)
+{
+  vtkPropCollection* props = this->Renderer->GetViewProps();
+  props->RemoveAllItems(); // vtkRenderer's own methods would release the shaders
+  for (vtkActor* actor : actors)
+  {
+    props->AddItem(actor);
+  }
 }
 
 //------------------------------------------------------------------------------

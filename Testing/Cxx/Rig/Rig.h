@@ -102,6 +102,11 @@ public:
   /// One actor with a quad over the whole viewport for each depth, all of one colour.
   vtkActor* AddEqualLayers(const std::vector<float>& depths, const glm::vec4& color);
   void RemoveProps();
+  /// The actors of the renderer, and another order of them for drawing. They keep their shaders.
+  ///@{
+  std::vector<vtkSmartPointer<vtkActor>> GetActors() const;
+  void SetDrawOrder(const std::vector<vtkSmartPointer<vtkActor>>& actors);
+  ///@}
 
   /// Renders a frame into a framebuffer of SetTargetFormat() and reads it back. Contenders render
   /// into the window instead, as their users have it: float framebuffers are not theirs.

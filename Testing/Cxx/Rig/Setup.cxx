@@ -178,6 +178,13 @@ void Setup::Detach(vtkRenderer* renderer) const
 }
 
 //------------------------------------------------------------------------------
+bool IsAsked(int argc, char* argv[], const std::string& part)
+{
+  const bool isNamed = argc > 2 && argv[2][0] != '\0' && argv[2][0] != '-';
+  return !isNamed || part == argv[2];
+}
+
+//------------------------------------------------------------------------------
 int RunTest(
   int argc, char* argv[], Setups setups, const std::function<void(Report&, const Setup&)>& body)
 {

@@ -72,6 +72,9 @@ enum class Setups
   Storages // every storage and tier, installed: for what cannot depend on the way of use
 };
 
+/// Whether a part of a test is to be run: it is named behind the method, or no part is.
+bool IsAsked(int argc, char* argv[], const std::string& part);
+
 /// Runs the body for each setup of the method named on the command line (default: abuffer).
 /// Returns the exit status: 125, with a line that names what is missing, when the method does not
 /// run in this context. For a contender nothing is asserted; with `--results FILE` the comparisons
