@@ -20,6 +20,7 @@
 #include "vtkRenderer.h"
 #include "vtkTranslucentPass.h"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -164,8 +165,10 @@ void vtkOITPass::Render(const vtkRenderState* state)
     }
     if (!this->Impl->Unsorted.empty())
     {
-      this->Impl->Statistics.Warning = this->Impl->Unsorted;
-      this->Impl->Statistics.NoteError(1.0);
+      vtkOITStatistics& statistics = this->Impl->Statistics;
+      statistics.Warning = this->Impl->Unsorted;
+      statistics.NumberOfGeometryPasses = std::max(statistics.NumberOfGeometryPasses, 1);
+      statistics.NoteError(1.0);
     }
   }
   this->Report();
@@ -185,9 +188,9 @@ void vtkOITPass::Draw(const vtkRenderState* state, std::vector<vtkProp*> props)
   frame.Props = std::move(props);
   vtkOITAllocation::TakeErrors();
   const std::vector<vtkProp*> unhooked = this->DrawSorted(frame, delegate);
-  this->Impl->Statistics.NumberOfGeometryPasses = delegate.GetNumberOfPasses();
   this->DrawBeside(delegate, unhooked,
-    "Props that draw past VTK's render passes are blended unsorted, such as a ");
+    "Props that draw past VTK's render passes, or add light, are blended unsorted, such as a ");
+  this->Impl->Statistics.NumberOfGeometryPasses = delegate.GetNumberOfPasses();
   this->NumberOfRenderedProps += delegate.GetNumberOfRenderedProps();
 }
 
@@ -220,8 +223,7 @@ void vtkOITPass::DrawBeside(
   }
   if (delegate.GetNumberOfRenderedProps() > before)
   {
-    this->Impl->Unsorted =
-      "Props that " + why + " are blended unsorted, such as a " + props.front()->GetClassName();
+    this->Impl->Unsorted = line + props.front()->GetClassName();
   }
 }
 

@@ -24,8 +24,8 @@
  *
  * Props that no method can sort are blended unsorted, before or after the others, with a warning,
  * and GetExact() is false: those that say that they have nothing translucent and draw it, as
- * representations of widgets do, and those that draw without vtkOpenGLRenderPass, which a trial
- * finds when they first appear.
+ * representations of widgets do, those that draw without vtkOpenGLRenderPass, which a trial finds
+ * when they first appear, and emissive Gaussians, which add light.
  *
  * Opaque geometry must be in the bound framebuffer, with its depth, before Render() is called.
  *

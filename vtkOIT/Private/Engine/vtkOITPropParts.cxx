@@ -6,6 +6,7 @@
 #include "vtkInformation.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
+#include "vtkPointGaussianMapper.h"
 #include "vtkPropCollection.h"
 
 #include <algorithm>
@@ -26,6 +27,14 @@ bool vtkOITIsSimpleActor(vtkProp* prop)
   return mapper && std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0 &&
     std::any_of(names.begin(), names.end(),
       [mapper](const char* name) { return std::strcmp(mapper->GetClassName(), name) == 0; });
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITAddsLight(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  auto* gaussians = actor ? vtkPointGaussianMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+  return gaussians && gaussians->GetEmissive();
 }
 
 //------------------------------------------------------------------------------

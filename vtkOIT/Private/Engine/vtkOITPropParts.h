@@ -10,6 +10,9 @@ class vtkProp;
 /// Whether a prop is an actor that one of VTK's own mappers draws, all of which ask our hooks.
 bool vtkOITIsSimpleActor(vtkProp* prop);
 
+/// Whether a prop adds its colours to what is behind it instead of covering that: emissive Gaussians.
+bool vtkOITAddsLight(vtkProp* prop);
+
 /// The actors and assemblies that props say they are made of (vtkProp::GetActors()), such as the faces of a
 /// vtkAnnotatedCubeActor, and that they do not hand on their property keys to, as assemblies do.
 std::vector<vtkProp*> vtkOITFindParts(const std::vector<vtkProp*>& props);

@@ -34,7 +34,7 @@ std::vector<vtkProp*> vtkOITHookTrial::TakeUnhooked(vtkOITFrame& frame, vtkOITGe
   {
     if (vtkOITIsSimpleActor(prop))
     {
-      hooked.push_back(prop);
+      (vtkOITAddsLight(prop) ? unhooked : hooked).push_back(prop);
       continue;
     }
     Entry& entry = this->Entries[prop];

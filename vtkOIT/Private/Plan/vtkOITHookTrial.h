@@ -26,14 +26,14 @@ struct vtkOITFrame;
  * How a prop is drawn is found by a trial, not from a list of names: it is drawn once into a small
  * picture under a gather that leaves out all fragments; what an occlusion query still counts did not
  * go through the hook. Plain actors with VTK's own mappers are not tried. A trial is kept until the
- * prop changes; a prop that was found stays one.
+ * prop changes; a prop that was found stays one. Props that add light are taken with them.
  */
 class vtkOITHookTrial
 {
 public:
   vtkOITHookTrial();
 
-  /// Takes such props out of the frame and returns them. Changes framebuffer, viewport, scissor,
+  /// Takes such props, and those that add light, out of the frame and returns them. Changes framebuffer, viewport, scissor,
   /// masks and tests.
   std::vector<vtkProp*> TakeUnhooked(vtkOITFrame& frame, vtkOITGeometry& geometry);
 
