@@ -5,7 +5,7 @@
 // hand on their property keys. Where they list their parts, these are sorted. Where they do not, or
 // say that they have nothing translucent, they are blended after or before all others: that is not
 // exact, but takes nothing away from the others. Emissive Gaussians add the light that they add
-// without a pass.
+// without sorting.
 
 #include "Oracle/ReferenceCompositor.h"
 #include "Rig/Rig.h"
@@ -17,8 +17,10 @@
 #include "vtkPointGaussianMapper.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
+#include "vtkRenderStepsPass.h"
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
+#include "vtkTranslucentPass.h"
 
 using namespace vtkOITTest;
 
@@ -101,7 +103,7 @@ void TestPart(Report& report, const Setup& setup, const std::string& what, bool 
   }
 }
 
-/// Emissive Gaussians over an opaque quad, by the pass and by VTK alone: added either way.
+/// Emissive Gaussians over an opaque quad, by the pass and by unsorted blending: added either way.
 void TestLight(Report& report, const Setup& setup)
 {
   Image images[2];
@@ -122,6 +124,10 @@ void TestLight(Report& report, const Setup& setup)
     if (&image == &images[1])
     {
       setup.Detach(rig.Renderer);
+      vtkNew<vtkRenderStepsPass> steps;
+      vtkNew<vtkTranslucentPass> blending;
+      steps->SetTranslucentPass(blending);
+      rig.Renderer->SetPass(steps);
     }
     rig.RenderWindow();
     image = rig.RenderWindow();
