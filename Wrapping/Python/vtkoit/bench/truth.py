@@ -23,7 +23,7 @@ LARGEST = 24000000
 # Fragments that `peel` may draw, over all its passes, for the cross-check.
 LARGEST_CROSS_CHECK = 200000000
 
-METHOD = "abuffer:FragmentPrecision=float,SkipHiddenFragments=0"
+METHOD = "abuffer:FragmentPrecision=float,SkipHiddenFragments=0,TransmittanceThreshold=0"
 PEEL = "peel:TransmittanceThreshold=0"
 
 
