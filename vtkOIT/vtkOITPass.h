@@ -84,7 +84,8 @@ public:
   /// Layers behind a transmittance of at most this may be skipped: they change a colour by no more
   /// than that. In [0, 1], default 1/512, half a step of 8 bits; 0 skips nothing but what is behind
   /// an opacity of 1. Peeling methods spend no peel on such layers; the A-buffer does not composite
-  /// them in lists of more than 32 fragments; weighted previews skip nothing. GetErrorBound() is the
+  /// them in lists that are long (more than 32) or have coincident fragments, nor in multisampled
+  /// windows; weighted previews skip nothing. GetErrorBound() is the
   /// largest transmittance in front of what was skipped.
   ///@{
   virtual void SetTransmittanceThreshold(double threshold);
