@@ -157,10 +157,10 @@ class TestProperties(unittest.TestCase):
         self.refused("no property 'Fragments'; it has: FragmentPrecision, MaximumBufferSize",
                      Fragments=3)
         self.refused("give one of float, half", FragmentPrecision="double")
-        self.refused("float, half", FragmentPrecision=7)
+        self.refused("give HALF or FLOAT", FragmentPrecision=7)
         self.refused("at least 1048576 bytes", MaximumBufferSize=1000)
         self.refused("refused", MaximumBufferSize=None)
-        self.refused("nearest valid value is 0.5", OcclusionRatio=0.75)
+        self.refused("give a number from 0 to 0.5", OcclusionRatio=0.75)
         self.refused("refused", OcclusionRatio="much")
         self.refused("refused", TranslucentPass=3)
 

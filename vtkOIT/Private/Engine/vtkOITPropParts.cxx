@@ -26,7 +26,7 @@ bool vtkOITIsSimpleActor(vtkProp* prop)
   vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
   return mapper && std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0 &&
     std::any_of(names.begin(), names.end(),
-      [mapper](const char* name) { return std::strcmp(mapper->GetClassName(), name) == 0; });
+      [mapper](const char* name) { return mapper->IsA(name) != 0; });
 }
 
 //------------------------------------------------------------------------------

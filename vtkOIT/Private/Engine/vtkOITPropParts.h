@@ -7,7 +7,8 @@
 
 class vtkProp;
 
-/// Whether a prop is an actor that one of VTK's own mappers draws, all of which ask our hooks.
+/// Whether a prop is an actor that one of VTK's own mappers draws, or one derived of
+/// those, all of which ask our hooks.
 bool vtkOITIsSimpleActor(vtkProp* prop);
 
 /// Whether a prop adds its colours to what is behind it instead of covering that: emissive Gaussians.
