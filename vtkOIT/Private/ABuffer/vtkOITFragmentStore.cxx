@@ -4,6 +4,7 @@
 
 #include "Private/Frame/vtkOITCapabilities.h"
 #include "Private/GL/vtkOITAllocation.h"
+#include "Private/GL/vtkOITFramebuffer.h"
 #include "Private/GL/vtkOITSharedDepth.h"
 
 #include "vtkOpenGLState.h"
@@ -295,7 +296,7 @@ std::int64_t vtkOITFragmentStore::GetFixedBytes(const vtkOITRectangle& rectangle
 //------------------------------------------------------------------------------
 void vtkOITFragmentStore::Delete()
 {
-  glDeleteFramebuffers(1, &this->HeadFramebuffer);
+  vtkOITDeleteFramebuffer(this->GetWindow(), this->HeadFramebuffer);
   glDeleteTextures(1, &this->Heads);
   glDeleteTextures(1, &this->PoolTexture);
   glDeleteTextures(1, &this->CounterTexture);

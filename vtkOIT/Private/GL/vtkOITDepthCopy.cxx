@@ -142,7 +142,7 @@ std::int64_t vtkOITDepthCopy::GetBytes(const vtkOITRectangle& rectangle, const v
 void vtkOITDepthCopy::Delete()
 {
   glDeleteTextures(1, &this->Texture);
-  glDeleteFramebuffers(1, &this->Framebuffer);
+  vtkOITDeleteFramebuffer(this->GetWindow(), this->Framebuffer);
 }
 
 //------------------------------------------------------------------------------

@@ -36,6 +36,25 @@ void vtkOITAttachTo(GLenum point, const vtkOITAttachment& attachment)
 }
 
 //------------------------------------------------------------------------------
+void vtkOITDeleteFramebuffer(vtkOpenGLRenderWindow* window, GLuint framebuffer)
+{
+  constexpr std::array<std::array<GLenum, 2>, 2> targets{
+    { { GL_DRAW_FRAMEBUFFER, GL_DRAW_FRAMEBUFFER_BINDING },
+      { GL_READ_FRAMEBUFFER, GL_READ_FRAMEBUFFER_BINDING } }
+  };
+  for (const std::array<GLenum, 2>& target : targets)
+  {
+    GLint bound = 0;
+    glGetIntegerv(target[1], &bound);
+    if (framebuffer != 0 && static_cast<GLuint>(bound) == framebuffer)
+    {
+      window->GetState()->vtkglBindFramebuffer(target[0], 0);
+    }
+  }
+  glDeleteFramebuffers(1, &framebuffer);
+}
+
+//------------------------------------------------------------------------------
 GLuint vtkOITFramebuffer::Make(vtkOpenGLRenderWindow* window)
 {
   this->Attach(window);
@@ -102,7 +121,7 @@ void vtkOITFramebuffer::DrawInto(int numberOfColors)
 //------------------------------------------------------------------------------
 void vtkOITFramebuffer::Delete()
 {
-  glDeleteFramebuffers(1, &this->Framebuffer);
+  vtkOITDeleteFramebuffer(this->GetWindow(), this->Framebuffer);
 }
 
 //------------------------------------------------------------------------------

@@ -33,6 +33,10 @@ vtkOITFailure vtkOITRefuseFramebuffer();
 /// Attaches to a point of the framebuffer bound for drawing.
 void vtkOITAttachTo(GLenum point, const vtkOITAttachment& attachment);
 
+/// Deletes it, in its context, which is current. OpenGL ends its binding, and VTK's state is told:
+/// it would take a new framebuffer of the same name for bound.
+void vtkOITDeleteFramebuffer(vtkOpenGLRenderWindow* window, GLuint framebuffer);
+
 /// A framebuffer of the textures that a pass draws into.
 class vtkOITFramebuffer : public vtkOITContextObjects
 {
