@@ -25,8 +25,8 @@ bool vtkOITIsSimpleActor(vtkProp* prop)
   auto* actor = vtkActor::SafeDownCast(prop);
   vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
   return mapper && std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0 &&
-    std::any_of(names.begin(), names.end(),
-      [mapper](const char* name) { return mapper->IsA(name) != 0; });
+    std::any_of(
+      names.begin(), names.end(), [mapper](const char* name) { return mapper->IsA(name) != 0; });
 }
 
 //------------------------------------------------------------------------------
