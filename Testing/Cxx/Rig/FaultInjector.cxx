@@ -51,7 +51,8 @@ void* FindOwnLibrary()
 {
   const auto pass = vtkSmartPointer<vtkOITPass>::Take(vtkOITPassFactory::CreatePass("abuffer"));
   const void* table = nullptr;
-  std::memcpy(&table, pass.Get(), sizeof(table));
+  const void* object = pass.Get();
+  std::memcpy(&table, object, sizeof(table));
   return FindLibrary(table);
 }
 
