@@ -93,10 +93,15 @@ vtkOITFailure vtkOITFramebuffer::Bind(vtkOpenGLRenderWindow* window,
     if (!this->IsComplete && colors.empty())
     {
       // Before GL 4.1 a buffer to draw into or to read that is not there makes it incomplete.
-      DrawInto(0);
       window->GetState()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->Framebuffer);
+      DrawInto(0);
       glReadBuffer(GL_NONE);
       this->IsComplete = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+      if (!this->IsComplete)
+      {
+        DrawInto(1); // as VTK takes it to be
+        glReadBuffer(GL_COLOR_ATTACHMENT0);
+      }
     }
   }
   else if (!colors.empty())
