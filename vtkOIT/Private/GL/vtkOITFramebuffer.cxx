@@ -9,6 +9,19 @@
 #include <array>
 #include <atomic>
 
+namespace
+{
+/// Before GL 4.1 a buffer to draw into or to read that is not there makes a framebuffer incomplete.
+bool NeedsBuffers()
+{
+  GLint major = 0;
+  GLint minor = 0;
+  glGetIntegerv(GL_MAJOR_VERSION, &major);
+  glGetIntegerv(GL_MINOR_VERSION, &minor);
+  return major < 4 || (major == 4 && minor < 1);
+}
+}
+
 //------------------------------------------------------------------------------
 vtkOITFailure vtkOITRefuseFramebuffer()
 {
@@ -90,13 +103,17 @@ vtkOITFailure vtkOITFramebuffer::Bind(vtkOpenGLRenderWindow* window,
     // Without colours, too: when VTK binds a framebuffer it takes the first colour for drawn into.
     DrawInto(std::max(1, static_cast<int>(colors.size())));
     this->IsComplete = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-    if (!this->IsComplete && colors.empty())
+    if (!this->IsComplete && colors.empty() && NeedsBuffers())
     {
-      // Before GL 4.1 a buffer to draw into or to read that is not there makes it incomplete.
-      DrawInto(0);
       window->GetState()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->Framebuffer);
+      DrawInto(0);
       glReadBuffer(GL_NONE);
       this->IsComplete = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+      if (!this->IsComplete)
+      {
+        DrawInto(1); // as VTK takes it to be
+        glReadBuffer(GL_COLOR_ATTACHMENT0);
+      }
     }
   }
   else if (!colors.empty())

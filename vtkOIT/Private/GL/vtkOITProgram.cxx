@@ -52,36 +52,33 @@ public:
   }
 };
 
-/// In the order in which VTK compiles them.
-std::array<vtkShader*, 3> GetShaders(vtkShaderProgram* program)
-{
-  return { program->GetVertexShader(), program->GetFragmentShader(), program->GetGeometryShader() };
-}
-
 /// What the driver says about the shader that it has refused, or about linking; the first line.
 std::string FindWords(vtkShaderProgram* program)
 {
-  std::string words = program->GetError();
-  for (vtkShader* shader : GetShaders(program))
+  // In the order in which VTK compiles them.
+  for (vtkShader* shader :
+    { program->GetVertexShader(), program->GetFragmentShader(), program->GetGeometryShader() })
   {
     if (!shader->GetSource().empty() && shader->GetHandle() == 0)
     {
-      words = shader->GetError();
-      break;
+      return shader->GetError().substr(0, shader->GetError().find('\n'));
     }
   }
+  std::array<char, 256> log{};
+  glGetProgramInfoLog(static_cast<GLuint>(program->GetHandle()), static_cast<GLsizei>(log.size()),
+    nullptr, log.data());
+  const std::string words = log.data();
   return words.substr(0, words.find('\n'));
 }
 
-/// VTK does not compile a shader twice, and takes that for a failure of its program when that is
-/// tried again.
-vtkOITFailure Refuse(vtkShaderProgram* program)
+/// As if it had never been tried: VTK does not compile a shader twice, and takes that for a failure
+/// of its program when that is tried again.
+vtkOITFailure Refuse(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
 {
   const std::string words = FindWords(program);
-  for (vtkShader* shader : GetShaders(program))
-  {
-    shader->Cleanup();
-  }
+  program->SetCompiled(true); // otherwise shaders are kept
+  program->ReleaseGraphicsResources(window);
+  window->GetShaderCache()->ReleaseCurrentShader(); // no program is current any more
   return vtkOITFailure("a shader of vtkOIT does not compile with this OpenGL driver" +
     (words.empty() ? words : " (" + words + ")"));
 }
@@ -97,5 +94,5 @@ vtkOITFailure vtkOITReadyProgram(vtkOpenGLRenderWindow* window, const std::strin
   vtkObject::SetGlobalWarningDisplay(0); // VTK would print all of the text
   program = cache->ReadyShaderProgram(texts.Get());
   vtkObject::SetGlobalWarningDisplay(display);
-  return program ? vtkOITFailure() : Refuse(Cache::Find(cache, texts.Get()));
+  return program ? vtkOITFailure() : Refuse(window, Cache::Find(cache, texts.Get()));
 }
