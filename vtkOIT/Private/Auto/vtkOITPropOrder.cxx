@@ -6,7 +6,6 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
-#include "vtkMatrix4x4.h"
 #include "vtkRenderer.h"
 
 #include <glm/geometric.hpp>
@@ -23,22 +22,6 @@ namespace
 constexpr double SmallestDepthGap = 4.0 / (1 << 24);
 /// The same for positions, in diagonals of the bounds.
 constexpr double SmallestGap = 1e-4;
-
-/// World coordinates to clip coordinates, as VTK draws.
-glm::dmat4 FindMatrix(vtkRenderer* renderer)
-{
-  vtkMatrix4x4* matrix = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-    renderer->GetTiledAspectRatio(), -1.0, 1.0);
-  glm::dmat4 result;
-  for (int row = 0; row < 4; ++row)
-  {
-    for (int column = 0; column < 4; ++column)
-    {
-      result[column][row] = matrix->GetElement(row, column);
-    }
-  }
-  return result;
-}
 
 /// Rays start at the camera's place, or go along its direction; depth grows along them; and nothing
 /// is mirrored, neither by the view nor by the projection: a mirrored matrix has another sign of its
@@ -75,7 +58,7 @@ bool IsPlain(vtkCamera* camera, const glm::dmat4& matrix)
 //------------------------------------------------------------------------------
 vtkOITView::vtkOITView(vtkRenderer* renderer)
   : IsParallel(renderer->GetActiveCamera()->GetParallelProjection() != 0)
-  , IsPlain(::IsPlain(renderer->GetActiveCamera(), FindMatrix(renderer)))
+  , IsPlain(::IsPlain(renderer->GetActiveCamera(), vtkOITFindProjection(renderer)))
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->GetPosition(this->Position.data());

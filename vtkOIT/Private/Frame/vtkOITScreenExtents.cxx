@@ -55,21 +55,6 @@ double FindMargin(vtkProp* prop)
   return std::max<double>(property->GetLineWidth(), property->GetPointSize());
 }
 
-glm::dmat4 FindProjection(vtkRenderer* renderer)
-{
-  vtkMatrix4x4* matrix = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-    renderer->GetTiledAspectRatio(), -1.0, 1.0);
-  glm::dmat4 result;
-  for (int row = 0; row < 4; ++row)
-  {
-    for (int column = 0; column < 4; ++column)
-    {
-      result[column][row] = matrix->GetElement(row, column);
-    }
-  }
-  return result;
-}
-
 struct Extent
 {
   glm::dvec3 Lower{ std::numeric_limits<double>::max() };
@@ -149,10 +134,26 @@ vtkOITScreenExtent FindExtent(
 }
 
 //------------------------------------------------------------------------------
+glm::dmat4 vtkOITFindProjection(vtkRenderer* renderer)
+{
+  vtkMatrix4x4* matrix = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+    renderer->GetTiledAspectRatio(), -1.0, 1.0);
+  glm::dmat4 result;
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      result[column][row] = matrix->GetElement(row, column);
+    }
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
 std::vector<vtkOITScreenExtent> vtkOITFindScreenExtents(
   vtkRenderer* renderer, const std::vector<vtkProp*>& props, const vtkOITRectangle& viewport)
 {
-  const glm::dmat4 projection = FindProjection(renderer);
+  const glm::dmat4 projection = vtkOITFindProjection(renderer);
   std::vector<vtkOITScreenExtent> extents;
   extents.reserve(props.size());
   std::transform(props.begin(), props.end(), std::back_inserter(extents),

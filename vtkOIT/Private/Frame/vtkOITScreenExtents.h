@@ -5,6 +5,8 @@
 
 #include "Private/Frame/vtkOITRectangle.h"
 
+#include <glm/mat4x4.hpp>
+
 #include <vector>
 
 class vtkProp;
@@ -20,6 +22,9 @@ struct vtkOITScreenExtent
   /// replacements, assemblies, boxes that reach behind the camera): the extent is the viewport.
   bool IsBounded = false;
 };
+
+/// World coordinates to clip coordinates, by the active camera.
+glm::dmat4 vtkOITFindProjection(vtkRenderer* renderer);
 
 /**
  * The extent of each prop in `viewport`: its bounding box projected by the active camera, plus
