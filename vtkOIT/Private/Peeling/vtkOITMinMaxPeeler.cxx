@@ -58,7 +58,6 @@ vtkOITFailure vtkOITMinMaxPeeler::Begin(const vtkOITPeelContext& context)
 {
   const vtkOITPeelState& state = context.State;
   const int sums = this->GetNumberOfSums(this->InPlace);
-  this->IsRest = false;
   return sums > 0 ? this->Sums.Reserve(
                       context.Frame.Window, state.GetWidth(), state.GetHeight(), sums, GL_RGBA32F)
                   : vtkOITFailure();
@@ -133,15 +132,6 @@ vtkOITFailure vtkOITMinMaxPeeler::Peel(const vtkOITPeelContext& context, int num
       }
       program->SetUniformi("oitRest", this->IsRest ? 1 : 0);
     });
-}
-
-//------------------------------------------------------------------------------
-vtkOITFailure vtkOITMinMaxPeeler::PeelRest(const vtkOITPeelContext& context)
-{
-  this->IsRest = true;
-  vtkOITFailure failure = this->Peel(context, -1);
-  this->IsRest = false;
-  return failure;
 }
 
 //------------------------------------------------------------------------------

@@ -32,7 +32,6 @@ public:
 
   vtkOITFailure Begin(const vtkOITPeelContext& context) override;
   vtkOITFailure Peel(const vtkOITPeelContext& context, int number) override;
-  vtkOITFailure PeelRest(const vtkOITPeelContext& context) override;
 
   vtkOITGather& GetGather() override { return this->Gather; }
   void SetUniforms(
@@ -46,7 +45,6 @@ private:
   int GetNumberOfSums(bool inPlace) const;
 
   bool IsDual;
-  bool IsRest = false;
   bool InPlace = false; // of the shaders
   vtkOITGather Gather;
   vtkOITTextureArray Sums;

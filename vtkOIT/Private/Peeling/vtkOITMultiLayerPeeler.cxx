@@ -147,7 +147,6 @@ int vtkOITMultiLayerPeeler::GetBytesPerPixel(const vtkOITFrame&) const
 vtkOITFailure vtkOITMultiLayerPeeler::Begin(const vtkOITPeelContext& context)
 {
   this->DrawNumbers.clear();
-  this->IsRest = false;
   return this->Slots.Reserve(context.Frame.Window, context.State.GetWidth(),
     context.State.GetHeight(), this->GetNumberOfSlots(), GL_RGBA32UI);
 }
@@ -242,15 +241,6 @@ vtkOITFailure vtkOITMultiLayerPeeler::Peel(const vtkOITPeelContext& context, int
       program->SetUniformi("oitSlots", OIT_UNIT_GATHERED);
       program->SetUniformi("oitRest", this->IsRest ? 1 : 0);
     });
-}
-
-//------------------------------------------------------------------------------
-vtkOITFailure vtkOITMultiLayerPeeler::PeelRest(const vtkOITPeelContext& context)
-{
-  this->IsRest = true;
-  vtkOITFailure failure = this->Peel(context, -1);
-  this->IsRest = false;
-  return failure;
 }
 
 //------------------------------------------------------------------------------

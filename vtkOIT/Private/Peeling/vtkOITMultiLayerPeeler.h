@@ -33,7 +33,6 @@ public:
 
   vtkOITFailure Begin(const vtkOITPeelContext& context) override;
   vtkOITFailure Peel(const vtkOITPeelContext& context, int number) override;
-  vtkOITFailure PeelRest(const vtkOITPeelContext& context) override;
 
   vtkOITGather& GetGather() override { return this->Gather; }
   void SetUniforms(
@@ -52,7 +51,6 @@ private:
   Access UsedAccess = Access::Fetch;
   bool InPlace = false; // of ResolveStage's program
   vtkOITGather Gather;
-  bool IsRest = false;
 
   vtkOITTextureArray Slots;
   vtkOITFramebuffer GatherFramebuffer;

@@ -61,8 +61,15 @@ public:
   virtual vtkOITFailure Begin(const vtkOITPeelContext& context) = 0;
   /// The peel of this number, from 0: geometry passes, then Resolve of the state.
   virtual vtkOITFailure Peel(const vtkOITPeelContext& context, int number) = 0;
-  /// Blends all that is left as one group, out of order: one geometry pass.
-  virtual vtkOITFailure PeelRest(const vtkOITPeelContext& context) = 0;
+  /// Blends all that is left as one group, out of order: one geometry pass. Default: a peel for
+  /// which IsRest is true.
+  virtual vtkOITFailure PeelRest(const vtkOITPeelContext& context)
+  {
+    this->IsRest = true;
+    vtkOITFailure failure = this->Peel(context, -1);
+    this->IsRest = false;
+    return failure;
+  }
 
   /// After a peel: it has all there is, not in the state but for Composite() of the peeler, and
   /// peeling ends. May only be when the context expects it.
@@ -80,6 +87,9 @@ public:
   virtual bool Note(const vtkOITStatistics&) { return false; }
 
   virtual void Release() = 0;
+
+protected:
+  bool IsRest = false; // only during PeelRest()
 };
 
 #endif
