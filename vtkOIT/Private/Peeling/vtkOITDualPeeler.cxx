@@ -83,7 +83,6 @@ int vtkOITDualPeeler::GetBytesPerPixel(const vtkOITFrame&) const
 //------------------------------------------------------------------------------
 vtkOITFailure vtkOITDualPeeler::Begin(const vtkOITPeelContext& context)
 {
-  this->IsRest = false;
   this->FirstHasAll = false;
   return this->Layers.Reserve(context.Frame.Window, context.State.GetWidth(),
     context.State.GetHeight(), this->GetNumberOfBuffers(), GL_RGBA32UI);
@@ -134,20 +133,29 @@ void vtkOITDualPeeler::AddLayers(vtkOITShaderText& text) const
 }
 
 //------------------------------------------------------------------------------
+// A stage on the screen that reads the layers.
+vtkOITShaderText vtkOITDualPeeler::MakeReader(const char* file) const
+{
+  vtkOITShaderText text({ file });
+  this->AddLayers(text);
+  return text.Define("OIT_READ_LAYERS");
+}
+
+//------------------------------------------------------------------------------
+void vtkOITDualPeeler::BindLayers(vtkShaderProgram* program, const vtkOITPeelContext& context) const
+{
+  this->Layers.Bind(context.Frame.GLState, OIT_UNIT_GATHERED);
+  program->SetUniformi("oitLayers", OIT_UNIT_GATHERED);
+}
+
+//------------------------------------------------------------------------------
 vtkOITFailure vtkOITDualPeeler::Resolve(const vtkOITPeelContext& context)
 {
   return context.State.Resolve(
-    this->ResolveStage,
-    [this]
-    {
-      vtkOITShaderText text({ vtkOITDualResolveFS });
-      this->AddLayers(text);
-      return text.Define("OIT_READ_LAYERS");
-    },
+    this->ResolveStage, [this] { return this->MakeReader(vtkOITDualResolveFS); },
     [&](vtkShaderProgram* program)
     {
-      this->Layers.Bind(context.Frame.GLState, OIT_UNIT_GATHERED);
-      program->SetUniformi("oitLayers", OIT_UNIT_GATHERED);
+      this->BindLayers(program, context);
       program->SetUniformi("oitFirst", this->IsFirst ? 1 : 0);
       program->SetUniformi("oitRest", this->IsRest ? 1 : 0);
     });
@@ -167,30 +175,11 @@ vtkOITFailure vtkOITDualPeeler::Peel(const vtkOITPeelContext& context, int numbe
 }
 
 //------------------------------------------------------------------------------
-vtkOITFailure vtkOITDualPeeler::PeelRest(const vtkOITPeelContext& context)
-{
-  this->IsRest = true;
-  vtkOITFailure failure = this->Peel(context, -1);
-  this->IsRest = false;
-  return failure;
-}
-
-//------------------------------------------------------------------------------
 vtkOITFailure vtkOITDualPeeler::Composite(const vtkOITPeelContext& context)
 {
   return context.State.Composite(
-    this->CompositeStage,
-    [this]
-    {
-      vtkOITShaderText text({ vtkOITDualCompositeFS });
-      this->AddLayers(text);
-      return text.Define("OIT_READ_LAYERS");
-    },
-    [&](vtkShaderProgram* program)
-    {
-      this->Layers.Bind(context.Frame.GLState, OIT_UNIT_GATHERED);
-      program->SetUniformi("oitLayers", OIT_UNIT_GATHERED);
-    });
+    this->CompositeStage, [this] { return this->MakeReader(vtkOITDualCompositeFS); },
+    [&](vtkShaderProgram* program) { this->BindLayers(program, context); });
 }
 
 //------------------------------------------------------------------------------

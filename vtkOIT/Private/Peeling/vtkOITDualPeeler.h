@@ -29,7 +29,6 @@ public:
 
   vtkOITFailure Begin(const vtkOITPeelContext& context) override;
   vtkOITFailure Peel(const vtkOITPeelContext& context, int number) override;
-  vtkOITFailure PeelRest(const vtkOITPeelContext& context) override;
   bool HasAll() const override { return this->FirstHasAll; }
   vtkOITFailure Composite(const vtkOITPeelContext& context) override;
   bool Note(const vtkOITStatistics& statistics) override;
@@ -43,6 +42,8 @@ private:
   int GetNumberOfLayers() const { return 2 * this->LayersPerSide; }
   int GetNumberOfBuffers() const { return this->GetNumberOfLayers() * (this->FloatColor ? 2 : 1); }
   void AddLayers(vtkOITShaderText& text) const;
+  vtkOITShaderText MakeReader(const char* file) const;
+  void BindLayers(vtkShaderProgram* program, const vtkOITPeelContext& context) const;
   vtkOITFailure Gather(const vtkOITPeelContext& context);
   vtkOITFailure Resolve(const vtkOITPeelContext& context);
 
@@ -53,7 +54,6 @@ private:
   vtkOITGather Gathering;
 
   bool IsFirst = true;
-  bool IsRest = false;
   bool FirstHasAll = false;
 
   vtkOITTextureArray Layers;
