@@ -2,19 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Frame/vtkOITTarget.h"
 
-#include "Private/Frame/vtkOITCompatibility.h"
+#include "Private/Frame/vtkOITGetInteger.h"
 
 #include <algorithm>
 
 namespace
 {
-GLint GetInteger(GLenum name)
-{
-  GLint value = 0;
-  glGetIntegerv(name, &value);
-  return value;
-}
-
 GLint GetAttachment(GLenum attachment, GLenum name)
 {
   GLint value = 0;
@@ -32,16 +25,16 @@ bool IsAttached(GLenum attachment)
 vtkOITTarget vtkOITTarget::Query()
 {
   vtkOITTarget target;
-  target.Samples = GetInteger(GL_SAMPLES);
-  target.Framebuffer = static_cast<unsigned int>(GetInteger(GL_DRAW_FRAMEBUFFER_BINDING));
+  target.Samples = vtkOITGetInteger(GL_SAMPLES);
+  target.Framebuffer = static_cast<unsigned int>(vtkOITGetInteger(GL_DRAW_FRAMEBUFFER_BINDING));
   target.NumberOfDrawBuffers =
-    std::min(GetInteger(GL_MAX_DRAW_BUFFERS), static_cast<GLint>(target.DrawBuffers.size()));
+    std::min(vtkOITGetInteger(GL_MAX_DRAW_BUFFERS), static_cast<GLint>(target.DrawBuffers.size()));
   for (int i = 0; i < target.NumberOfDrawBuffers; ++i)
   {
-    target.DrawBuffers[i] = static_cast<unsigned int>(GetInteger(GL_DRAW_BUFFER0 + i));
+    target.DrawBuffers[i] = static_cast<unsigned int>(vtkOITGetInteger(GL_DRAW_BUFFER0 + i));
   }
   target.TestsDepth = glIsEnabled(GL_DEPTH_TEST) == GL_TRUE;
-  target.DepthFunction = static_cast<unsigned int>(GetInteger(GL_DEPTH_FUNC));
+  target.DepthFunction = static_cast<unsigned int>(vtkOITGetInteger(GL_DEPTH_FUNC));
   target.CullsFaces = glIsEnabled(GL_CULL_FACE) == GL_TRUE;
 
   const bool isDefault = target.Framebuffer == 0;

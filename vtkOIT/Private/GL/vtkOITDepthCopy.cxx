@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/GL/vtkOITDepthCopy.h"
 
+#include "Private/Frame/vtkOITGetInteger.h"
 #include "Private/GL/vtkOITAllocation.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -91,10 +92,8 @@ vtkOITFailure vtkOITDepthCopy::Copy(const vtkOITFrame& frame, const vtkOITRectan
   {
     return failure;
   }
-  GLint source = 0;
-  GLint read = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &source);
-  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
+  const GLint source = vtkOITGetInteger(GL_DRAW_FRAMEBUFFER_BINDING);
+  const GLint read = vtkOITGetInteger(GL_READ_FRAMEBUFFER_BINDING);
   vtkOpenGLState* state = frame.GLState;
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, source);
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Framebuffer);

@@ -3,7 +3,7 @@
 #ifndef vtkOITDrawBinding_h
 #define vtkOITDrawBinding_h
 
-#include "Private/Frame/vtkOITCompatibility.h"
+#include "Private/Frame/vtkOITGetInteger.h"
 
 #include <array>
 
@@ -16,12 +16,11 @@ struct vtkOITDrawBinding
   static vtkOITDrawBinding Query()
   {
     vtkOITDrawBinding binding;
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &binding.Framebuffer);
+    binding.Framebuffer = vtkOITGetInteger(GL_DRAW_FRAMEBUFFER_BINDING);
     for (std::size_t i = 0; i < binding.Buffers.size(); ++i)
     {
-      GLint buffer = GL_NONE;
-      glGetIntegerv(GL_DRAW_BUFFER0 + static_cast<GLenum>(i), &buffer);
-      binding.Buffers[i] = static_cast<GLenum>(buffer);
+      binding.Buffers[i] =
+        static_cast<GLenum>(vtkOITGetInteger(GL_DRAW_BUFFER0 + static_cast<GLenum>(i)));
     }
     return binding;
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/GL/vtkOITFramebuffer.h"
 
+#include "Private/Frame/vtkOITGetInteger.h"
+
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 
@@ -14,10 +16,8 @@ namespace
 /// Before GL 4.1 a buffer to draw into or to read that is not there makes a framebuffer incomplete.
 bool NeedsBuffers()
 {
-  GLint major = 0;
-  GLint minor = 0;
-  glGetIntegerv(GL_MAJOR_VERSION, &major);
-  glGetIntegerv(GL_MINOR_VERSION, &minor);
+  const GLint major = vtkOITGetInteger(GL_MAJOR_VERSION);
+  const GLint minor = vtkOITGetInteger(GL_MINOR_VERSION);
   return major < 4 || (major == 4 && minor < 1);
 }
 }
@@ -57,9 +57,8 @@ void vtkOITDeleteFramebuffer(vtkOpenGLRenderWindow* window, GLuint framebuffer)
   };
   for (const std::array<GLenum, 2>& target : targets)
   {
-    GLint bound = 0;
-    glGetIntegerv(target[1], &bound);
-    if (framebuffer != 0 && static_cast<GLuint>(bound) == framebuffer)
+    const auto bound = static_cast<GLuint>(vtkOITGetInteger(target[1]));
+    if (framebuffer != 0 && bound == framebuffer)
     {
       window->GetState()->vtkglBindFramebuffer(target[0], 0);
     }

@@ -2,24 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/GL/vtkOITSavedState.h"
 
+#include "Private/Frame/vtkOITGetInteger.h"
+
 #include "vtkOpenGLState.h"
 
 namespace
 {
-GLint GetInteger(GLenum name)
-{
-  GLint value = 0;
-  glGetIntegerv(name, &value);
-  return value;
-}
-
-GLint GetInteger(GLenum name, int index)
-{
-  GLint value = 0;
-  glGetIntegeri_v(name, static_cast<GLuint>(index), &value);
-  return value;
-}
-
 vtkOITRectangle GetRectangle(GLenum name)
 {
   GLint values[4] = { 0, 0, 0, 0 };
@@ -34,17 +22,18 @@ vtkOITSavedState::vtkOITSavedState(vtkOpenGLState* state, const vtkOITTarget& ta
   , Neutral(state)
   , Target(target)
 {
-  this->ReadFramebuffer = GetInteger(GL_READ_FRAMEBUFFER_BINDING);
-  this->Renderbuffer = GetInteger(GL_RENDERBUFFER_BINDING);
-  this->VertexArray = GetInteger(GL_VERTEX_ARRAY_BINDING);
-  this->ActiveTexture = GetInteger(GL_ACTIVE_TEXTURE);
-  this->CullFaceMode = GetInteger(GL_CULL_FACE_MODE);
+  this->ReadFramebuffer = vtkOITGetInteger(GL_READ_FRAMEBUFFER_BINDING);
+  this->Renderbuffer = vtkOITGetInteger(GL_RENDERBUFFER_BINDING);
+  this->VertexArray = vtkOITGetInteger(GL_VERTEX_ARRAY_BINDING);
+  this->ActiveTexture = vtkOITGetInteger(GL_ACTIVE_TEXTURE);
+  this->CullFaceMode = vtkOITGetInteger(GL_CULL_FACE_MODE);
   glGetBooleanv(GL_DEPTH_WRITEMASK, &this->DepthMask);
   this->Viewport = GetRectangle(GL_VIEWPORT);
   this->Scissor = GetRectangle(GL_SCISSOR_BOX);
-  this->BlendFunction = { GetInteger(GL_BLEND_SRC_RGB), GetInteger(GL_BLEND_DST_RGB),
-    GetInteger(GL_BLEND_SRC_ALPHA), GetInteger(GL_BLEND_DST_ALPHA) };
-  this->BlendEquation = { GetInteger(GL_BLEND_EQUATION_RGB), GetInteger(GL_BLEND_EQUATION_ALPHA) };
+  this->BlendFunction = { vtkOITGetInteger(GL_BLEND_SRC_RGB), vtkOITGetInteger(GL_BLEND_DST_RGB),
+    vtkOITGetInteger(GL_BLEND_SRC_ALPHA), vtkOITGetInteger(GL_BLEND_DST_ALPHA) };
+  this->BlendEquation = { vtkOITGetInteger(GL_BLEND_EQUATION_RGB),
+    vtkOITGetInteger(GL_BLEND_EQUATION_ALPHA) };
   glGetBooleanv(GL_COLOR_WRITEMASK, this->ColorMask.data());
   this->Blends = glIsEnabled(GL_BLEND) == GL_TRUE;
   this->TestsScissor = glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE;
@@ -123,18 +112,18 @@ void vtkOITSavedState::AddStorage()
   for (int i = 0; i < BindingCount; ++i)
   {
     ImageUnit& unit = this->ImageUnits[i];
-    unit.Name = GetInteger(GL_IMAGE_BINDING_NAME, i);
-    unit.Level = GetInteger(GL_IMAGE_BINDING_LEVEL, i);
-    unit.Layered = GetInteger(GL_IMAGE_BINDING_LAYERED, i);
-    unit.Layer = GetInteger(GL_IMAGE_BINDING_LAYER, i);
-    unit.Access = GetInteger(GL_IMAGE_BINDING_ACCESS, i);
-    unit.Format = GetInteger(GL_IMAGE_BINDING_FORMAT, i);
+    unit.Name = vtkOITGetInteger(GL_IMAGE_BINDING_NAME, i);
+    unit.Level = vtkOITGetInteger(GL_IMAGE_BINDING_LEVEL, i);
+    unit.Layered = vtkOITGetInteger(GL_IMAGE_BINDING_LAYERED, i);
+    unit.Layer = vtkOITGetInteger(GL_IMAGE_BINDING_LAYER, i);
+    unit.Access = vtkOITGetInteger(GL_IMAGE_BINDING_ACCESS, i);
+    unit.Format = vtkOITGetInteger(GL_IMAGE_BINDING_FORMAT, i);
     StorageBinding& binding = this->StorageBindings[i];
-    binding.Name = GetInteger(GL_SHADER_STORAGE_BUFFER_BINDING, i);
+    binding.Name = vtkOITGetInteger(GL_SHADER_STORAGE_BUFFER_BINDING, i);
     glGetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, i, &binding.Start);
     glGetInteger64i_v(GL_SHADER_STORAGE_BUFFER_SIZE, i, &binding.Size);
   }
-  this->StorageBuffer = GetInteger(GL_SHADER_STORAGE_BUFFER_BINDING);
+  this->StorageBuffer = vtkOITGetInteger(GL_SHADER_STORAGE_BUFFER_BINDING);
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,7 @@
 #include "vtkOITBucketHistogramFS.h"
 #include "vtkOITBucketResolveFS.h"
 #include "vtkOITBucketSlotsFS.h"
+#include "vtkOITBucketWriteFS.h"
 #include "vtkOITFragmentFS.h"
 #include "vtkOITFullScreenVS.h"
 
@@ -114,7 +115,6 @@ vtkOITFailure vtkOITBucketPeeler::Begin(const vtkOITPeelContext& context)
     reserve(this->Histogram, GL_RGBA32UI);
     reserve(this->BucketBounds, GL_RGBA32F);
   }
-  this->IsRest = false;
   return failure;
 }
 
@@ -141,7 +141,7 @@ vtkOITFailure vtkOITBucketPeeler::DrawLayers(const vtkOITPeelContext& context,
     {
       vtkOITShaderText text({ file });
       this->AddDivision(text);
-      return text.GetText();
+      return text.Insert("Write", vtkOITBucketWriteFS).GetText();
     },
     [&](vtkShaderProgram* program)
     {

@@ -64,7 +64,6 @@ private:
 
   // Of the geometry pass.
   bool IsColorStage = false;
-  bool IsRest = false;
   bool CountsLost = false;
   int SlotLayer = 0;
   int LastSlotLayer = 0;

@@ -7,14 +7,7 @@
 
 uniform usampler2DArray oitHistogram;
 
-layout(location = 0) out vec4 oitBounds0;
-layout(location = 1) out vec4 oitBounds1;
-layout(location = 2) out vec4 oitBounds2;
-layout(location = 3) out vec4 oitBounds3;
-layout(location = 4) out vec4 oitBounds4;
-layout(location = 5) out vec4 oitBounds5;
-layout(location = 6) out vec4 oitBounds6;
-layout(location = 7) out vec4 oitBounds7;
+//VTK::OIT::Write
 
 void main()
 {
@@ -47,12 +40,5 @@ void main()
       ++seen;
     }
   }
-  oitBounds0 = vec4(bounds[0], bounds[1], bounds[2], bounds[3]);
-  oitBounds1 = vec4(bounds[4], bounds[5], bounds[6], bounds[7]);
-  oitBounds2 = vec4(bounds[8], bounds[9], bounds[10], bounds[11]);
-  oitBounds3 = vec4(bounds[12], bounds[13], bounds[14], bounds[15]);
-  oitBounds4 = vec4(bounds[16], bounds[17], bounds[18], bounds[19]);
-  oitBounds5 = vec4(bounds[20], bounds[21], bounds[22], bounds[23]);
-  oitBounds6 = vec4(bounds[24], bounds[25], bounds[26], bounds[27]);
-  oitBounds7 = vec4(bounds[28], bounds[29], bounds[30], bounds[31]);
+  oitWrite(bounds);
 }

@@ -7,14 +7,7 @@
 
 uniform sampler2DArray oitDepths;
 
-layout(location = 0) out vec4 oitSlots0;
-layout(location = 1) out vec4 oitSlots1;
-layout(location = 2) out vec4 oitSlots2;
-layout(location = 3) out vec4 oitSlots3;
-layout(location = 4) out vec4 oitSlots4;
-layout(location = 5) out vec4 oitSlots5;
-layout(location = 6) out vec4 oitSlots6;
-layout(location = 7) out vec4 oitSlots7;
+//VTK::OIT::Write
 
 const float OIT_NO_SLOT = 4.0;
 
@@ -51,13 +44,5 @@ void main()
     if (nearest.w <= 1.0) oitAppend(nearest.w);
 #endif
   }
-  float s[32] = oitSlotDepths;
-  oitSlots0 = vec4(s[0], s[1], s[2], s[3]);
-  oitSlots1 = vec4(s[4], s[5], s[6], s[7]);
-  oitSlots2 = vec4(s[8], s[9], s[10], s[11]);
-  oitSlots3 = vec4(s[12], s[13], s[14], s[15]);
-  oitSlots4 = vec4(s[16], s[17], s[18], s[19]);
-  oitSlots5 = vec4(s[20], s[21], s[22], s[23]);
-  oitSlots6 = vec4(s[24], s[25], s[26], s[27]);
-  oitSlots7 = vec4(s[28], s[29], s[30], s[31]);
+  oitWrite(oitSlotDepths);
 }
