@@ -35,15 +35,6 @@ public:
   void ForgetFrame() { this->NumberOfFragments = 0; }
 
 private:
-  /// A frame that is being drawn.
-  struct Task
-  {
-    const vtkOITFrame& Frame;
-    const vtkOITSettings& Settings;
-    vtkOITGeometry& Geometry;
-    vtkOITStatistics& Statistics;
-  };
-
   void ChooseCapture(const Task& task);
   void ChooseShaders(const Task& task);
   std::int64_t GetLargestPool(const Task& task) const;

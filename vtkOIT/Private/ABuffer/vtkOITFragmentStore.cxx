@@ -50,6 +50,17 @@ GLuint MakeBufferTexture(GLenum format, GLuint buffer)
   glBindTexture(GL_TEXTURE_BUFFER, bound);
   return texture;
 }
+
+/// A storage buffer of integers and its texture, instead of those of before.
+void RemakeCounters(GLuint& buffer, GLuint& texture, GLsizeiptr bytes, GLenum usage)
+{
+  glDeleteTextures(1, &texture);
+  glDeleteBuffers(1, &buffer);
+  glGenBuffers(1, &buffer);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
+  glBufferData(GL_SHADER_STORAGE_BUFFER, bytes, nullptr, usage);
+  texture = MakeBufferTexture(GL_R32UI, buffer);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -97,18 +108,10 @@ vtkOITFailure vtkOITFragmentStore::ReserveCounters(int tiles)
   }
   const vtkOITAllocation allocation;
   this->TileCapacity = tiles;
-  glDeleteTextures(1, &this->CounterTexture);
-  glDeleteBuffers(1, &this->CounterBuffer);
-  glGenBuffers(1, &this->CounterBuffer);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
-  glBufferData(GL_SHADER_STORAGE_BUFFER, GetCounterBytes(tiles), nullptr, GL_DYNAMIC_READ);
-  this->CounterTexture = MakeBufferTexture(GL_R32UI, this->CounterBuffer);
-  glDeleteTextures(1, &this->ExpectedTexture);
-  glDeleteBuffers(1, &this->ExpectedBuffer);
-  glGenBuffers(1, &this->ExpectedBuffer);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->ExpectedBuffer);
-  glBufferData(GL_SHADER_STORAGE_BUFFER, GetExpectedBytes(tiles), nullptr, GL_DYNAMIC_DRAW);
-  this->ExpectedTexture = MakeBufferTexture(GL_R32UI, this->ExpectedBuffer);
+  RemakeCounters(
+    this->CounterBuffer, this->CounterTexture, GetCounterBytes(tiles), GL_DYNAMIC_READ);
+  RemakeCounters(
+    this->ExpectedBuffer, this->ExpectedTexture, GetExpectedBytes(tiles), GL_DYNAMIC_DRAW);
   return allocation.Check("the counters of an A-buffer");
 }
 

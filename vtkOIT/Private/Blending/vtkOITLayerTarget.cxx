@@ -44,12 +44,17 @@ void ClearColor()
 }
 
 //------------------------------------------------------------------------------
+vtkOITFailure vtkOITLayerTarget::Reserve(const vtkOITFrame& frame, const vtkOITRectangle& rectangle)
+{
+  const vtkOITRectangle storage = frame.FindStorage(rectangle);
+  return this->Layer.Reserve(frame.Window, storage.Width, storage.Height, 1, GL_RGBA32F);
+}
+
+//------------------------------------------------------------------------------
 vtkOITFailure vtkOITLayerTarget::Begin(
   const vtkOITFrame& frame, const vtkOITRectangle& rectangle, vtkOITTarget& target)
 {
-  const vtkOITRectangle storage = frame.FindStorage(rectangle);
-  if (vtkOITFailure failure =
-        this->Layer.Reserve(frame.Window, storage.Width, storage.Height, 1, GL_RGBA32F))
+  if (vtkOITFailure failure = this->Reserve(frame, rectangle))
   {
     return failure;
   }
@@ -73,9 +78,7 @@ vtkOITFailure vtkOITLayerTarget::Begin(
 vtkOITFailure vtkOITLayerTarget::BeginBeside(
   const vtkOITFrame& frame, const vtkOITRectangle& rectangle, vtkOITTarget& target)
 {
-  const vtkOITRectangle storage = frame.FindStorage(rectangle);
-  if (vtkOITFailure failure =
-        this->Layer.Reserve(frame.Window, storage.Width, storage.Height, 1, GL_RGBA32F))
+  if (vtkOITFailure failure = this->Reserve(frame, rectangle))
   {
     return failure;
   }

@@ -57,6 +57,7 @@ public:
   void Release();
 
 private:
+  vtkOITFailure Reserve(const vtkOITFrame& frame, const vtkOITRectangle& rectangle);
   void ClearAll(const vtkOITFrame& frame);
   vtkOITFailure BindBeside(const vtkOITFrame& frame);
   std::string GetCompositeShader() const;

@@ -45,6 +45,16 @@ public:
   /// What it holds on the context.
   virtual std::int64_t GetSizeInBytes() const = 0;
   virtual void Release() = 0;
+
+protected:
+  /// A frame that is being drawn: what Draw() was given.
+  struct Task
+  {
+    const vtkOITFrame& Frame;
+    const vtkOITSettings& Settings;
+    vtkOITGeometry& Geometry;
+    vtkOITStatistics& Statistics;
+  };
 };
 
 #endif

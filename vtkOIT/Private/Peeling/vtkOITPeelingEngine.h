@@ -35,14 +35,6 @@ protected:
   virtual vtkOITPeeler& ChoosePeeler(const vtkOITFrame&) { return *this->Peeler; }
 
 private:
-  /// A frame that is being drawn.
-  struct Task
-  {
-    const vtkOITFrame& Frame;
-    const vtkOITSettings& Settings;
-    vtkOITGeometry& Geometry;
-    vtkOITStatistics& Statistics;
-  };
   /// How the peeling of a band ended in the last frame.
   struct End
   {
