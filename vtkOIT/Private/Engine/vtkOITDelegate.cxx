@@ -33,6 +33,18 @@ private:
   std::vector<vtkProp*> Props;
   vtkRenderState State;
 };
+
+/// The visible props of the state, with its required keys, of this kind.
+template <typename Predicate>
+std::vector<vtkProp*> FindDrawn(const vtkRenderState* state, Predicate isOfKind)
+{
+  vtkProp** first = state->GetPropArray();
+  std::vector<vtkProp*> props;
+  std::copy_if(first, first + state->GetPropArrayCount(), std::back_inserter(props),
+    [&](vtkProp* prop)
+    { return prop->GetVisibility() && isOfKind(prop) && prop->HasKeys(state->GetRequiredKeys()); });
+  return props;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -81,27 +93,14 @@ void vtkOITDelegate::Note(const std::vector<vtkProp*>& props)
 //------------------------------------------------------------------------------
 std::vector<vtkProp*> vtkOITFindTranslucentProps(const vtkRenderState* state)
 {
-  vtkProp** first = state->GetPropArray();
-  std::vector<vtkProp*> props;
-  std::copy_if(first, first + state->GetPropArrayCount(), std::back_inserter(props),
-    [state](vtkProp* prop)
-    {
-      return prop->GetVisibility() && prop->HasTranslucentPolygonalGeometry() &&
-        prop->HasKeys(state->GetRequiredKeys());
-    });
-  return props;
+  return FindDrawn(
+    state, [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; });
 }
 
 //------------------------------------------------------------------------------
 std::vector<vtkProp*> vtkOITFindDenyingProps(const vtkRenderState* state)
 {
-  vtkProp** first = state->GetPropArray();
-  std::vector<vtkProp*> props;
-  std::copy_if(first, first + state->GetPropArrayCount(), std::back_inserter(props),
-    [state](vtkProp* prop)
-    {
-      return prop->GetVisibility() && !vtkOITIsSimpleActor(prop) &&
-        !prop->HasTranslucentPolygonalGeometry() && prop->HasKeys(state->GetRequiredKeys());
-    });
-  return props;
+  return FindDrawn(state,
+    [](vtkProp* prop)
+    { return !vtkOITIsSimpleActor(prop) && !prop->HasTranslucentPolygonalGeometry(); });
 }

@@ -42,24 +42,31 @@ bool vtkOITAddsLight(vtkProp* prop)
 // by their own. Parts share the keys of a prop that hands them on, and need no others then.
 std::vector<vtkProp*> vtkOITFindParts(const std::vector<vtkProp*>& props)
 {
-  std::set<vtkInformation*> keys;
-  std::set<vtkProp*> seen;
   std::vector<vtkProp*> found;
   for (vtkProp* prop : props)
   {
-    keys.insert(prop->GetPropertyKeys());
-    seen.insert(prop);
-    if (!vtkOITIsSimpleActor(prop))
+    if (vtkOITIsSimpleActor(prop))
     {
-      vtkNew<vtkPropCollection> actors;
-      prop->GetActors(actors);
-      vtkCollectionSimpleIterator it;
-      actors->InitTraversal(it);
-      while (vtkProp* part = actors->GetNextProp(it))
-      {
-        found.push_back(part);
-      }
+      continue;
     }
+    vtkNew<vtkPropCollection> actors;
+    prop->GetActors(actors);
+    vtkCollectionSimpleIterator it;
+    actors->InitTraversal(it);
+    while (vtkProp* part = actors->GetNextProp(it))
+    {
+      found.push_back(part);
+    }
+  }
+  if (found.empty())
+  {
+    return found;
+  }
+  std::set<vtkInformation*> keys;
+  std::set<vtkProp*> seen(props.begin(), props.end());
+  for (vtkProp* prop : props)
+  {
+    keys.insert(prop->GetPropertyKeys());
   }
   std::vector<vtkProp*> parts;
   for (std::size_t i = 0; i < found.size(); ++i)
