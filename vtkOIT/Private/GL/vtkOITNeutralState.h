@@ -14,10 +14,9 @@ class vtkOpenGLState;
  * what is drawn: an application may have left them otherwise, with plain GL calls. At its end they
  * are as they were.
  *
- * The logic operation on colours, polygon mode and offset, the side that is the front,
- * primitive restart, sample masks, clip
- * distances; colour masks and blending of single draw buffers; textures and samplers of the units
- * that passes use.
+ * The logic operation on colours, polygon mode and offset, the side that is the front, primitive
+ * restart, sample masks, clip distances; colour masks and blending of single draw buffers; textures
+ * and samplers of the units that passes use.
  */
 class vtkOITNeutralState
 {
