@@ -158,7 +158,9 @@ void CheckObstacles(Report& report, const Setup& setup)
     rig.RenderWindow();
     const std::string second = messages->GetOutput();
     vtkOutputWindow::SetInstance(previous);
-    report.Check(first.find(name) != std::string::npos, name + ": the warning is " + first);
+    std::string wrong = name;
+    wrong.append(": the warning is ").append(first);
+    report.Check(first.find(name) != std::string::npos, wrong);
     report.Check(second == first, name + ": warned again");
     report.Check(!rig.Pass->GetExact() && rig.Pass->GetNumberOfGeometryPasses() == 0,
       name + ": a frame without the pass is called exact");
