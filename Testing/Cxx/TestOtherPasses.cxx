@@ -63,7 +63,7 @@ vtkStandardNewMacro(OtherPass);
 void PutAround(OtherPass* pass, vtkProp* prop)
 {
   vtkNew<vtkInformation> keys;
-  keys->Append(vtkOpenGLRenderPass::RenderPasses(), pass);
+  keys->Set(vtkOpenGLRenderPass::RenderPasses(), pass, 0); // Append() leaks in VTK 9.1
   prop->SetPropertyKeys(keys);
 }
 }

@@ -84,6 +84,7 @@ void vtkOITABufferEngine::ChooseShaders(const Task& task)
   shaders.NodesInImage = this->Store.GetNodesInImage();
   shaders.FramebufferFetch = vtkOITWritesByFetch(task.Frame);
   shaders.PostDepthCoverage = task.Frame.Capabilities->PostDepthCoverage;
+  shaders.FineDerivatives = task.Frame.Capabilities->FineDerivatives;
   shaders.HeadInTarget = this->HeadInTarget;
   shaders.ClampColor = task.Frame.Target.ClampsColor;
   this->Gather.SetStage(shaders.GetGather());

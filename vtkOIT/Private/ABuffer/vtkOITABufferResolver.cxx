@@ -96,7 +96,7 @@ vtkOITFailure vtkOITABufferResolver::Resolve(const vtkOITFrame& frame, vtkOITFra
     this->DepthComplexity.GetExpected(store.GetTileGrid());
   store.SetExpected(expected);
   this->PrepareOutput(frame, store);
-  const vtkOITFailure failure = isMultisampled
+  vtkOITFailure failure = isMultisampled
     ? this->DrawLists(frame, store, counters, AllTiles)
     : this->DrawExpected(frame, store, this->FindDraws(expected));
   if (!failure && !isMultisampled)

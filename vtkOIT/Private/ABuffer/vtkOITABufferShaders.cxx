@@ -27,7 +27,7 @@ bool vtkOITABufferShaders::operator==(const vtkOITABufferShaders& other) const
   const auto tie = [](const vtkOITABufferShaders& s)
   {
     return std::tie(s.Samples, s.FloatColor, s.NodesInImage, s.FramebufferFetch,
-      s.PostDepthCoverage, s.HeadInTarget, s.ClampColor);
+      s.PostDepthCoverage, s.HeadInTarget, s.ClampColor, s.FineDerivatives);
   };
   return tie(*this) == tie(other);
 }
@@ -104,7 +104,12 @@ std::string vtkOITABufferShaders::GetCount() const
 //------------------------------------------------------------------------------
 std::string vtkOITABufferShaders::GetResolve(int networkSize) const
 {
-  return this->MakeOutputStage(vtkOITABufferResolveFS)
+  vtkOITShaderText text = this->MakeOutputStage(vtkOITABufferResolveFS);
+  if (this->FineDerivatives)
+  {
+    text.Require({ "GL_ARB_derivative_control" });
+  }
+  return text.Define("OIT_FINE_DERIVATIVES", this->FineDerivatives)
     .Define("OIT_ENDS_LONG_LISTS", networkSize > OIT_LONG_LIST)
     .Insert("Registers", vtkOITRegisterResolve(networkSize))
     .GetText();

@@ -23,6 +23,7 @@ struct vtkOITABufferShaders
   bool PostDepthCoverage = false;
   bool HeadInTarget = false;
   bool ClampColor = false;
+  bool FineDerivatives = false;
 
   bool operator==(const vtkOITABufferShaders& other) const;
 

@@ -108,6 +108,7 @@ vtkOITCapabilities::vtkOITCapabilities(vtkOpenGLRenderWindow* window)
   this->TextureBarrier = has("GL_ARB_texture_barrier");
   this->FramebufferFetch = has("GL_EXT_shader_framebuffer_fetch");
   this->PostDepthCoverage = has("GL_ARB_post_depth_coverage");
+  this->FineDerivatives = has("GL_ARB_derivative_control");
   this->Memory = FindMemory(extensions);
   if (this->HasStorage())
   {

@@ -39,6 +39,8 @@ public:
   bool FramebufferFetch = false;
   /// ARB_post_depth_coverage: gl_SampleMaskIn holds only the samples that passed the depth test.
   bool PostDepthCoverage = false;
+  /// ARB_derivative_control: differences between the very pixels of a pair, dFdxFine().
+  bool FineDerivatives = false;
   /// Bytes that one storage buffer binding reaches.
   std::int64_t MaximumStorageBlockSize = 0;
   /// Bytes of memory that the context has: of the graphics processor where the driver tells

@@ -103,7 +103,7 @@ vtkOITFailure vtkOITPeelingEngine::Draw(const vtkOITFrame& frame, const vtkOITSe
   }
   const Task task{ frame, settings, geometry, statistics };
   this->Bands.Begin(frame.Rectangle, largestBand);
-  const vtkOITFailure failure = this->Bands.DrawAll(
+  vtkOITFailure failure = this->Bands.DrawAll(
     [&](const vtkOITRectangle& band)
     {
       const std::size_t number = this->Bands.GetNumberOfBands(); // accepted before

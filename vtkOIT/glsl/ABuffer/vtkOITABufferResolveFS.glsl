@@ -16,29 +16,32 @@
 
 //VTK::OIT::RegisterMacros
 
-// Notes the pixel's fragments in its tile: `fragments` of them, or more when it is left. Of four
-// pixels one does it for all, as atomics are slow on a CPU; on the diagonal each for itself, because
-// the tile's two triangles see only their own pixels of the four.
+// Notes the pixel's fragments in its tile: `fragments` of them, or more when it is left.
 void oitNote(uint fragments, bool isLeft)
 {
+  float most = isLeft ? 128.0 : float(fragments); // 128: above all networks
+  float sum = float(fragments);
+  bool isMine = true;
+#ifdef OIT_FINE_DERIVATIVES
+  // Of two pixels side by side one does it for both, as atomics are slow on a CPU; on the diagonal
+  // each for itself, because the tile's two triangles see only their own pixels.
   ivec2 at = ivec2(gl_FragCoord.xy);
-  ivec2 inside = at - oitCorner;
-  bool isInside = all(greaterThanEqual(inside, ivec2(0))) && all(lessThan(inside, oitSize));
-  float most = !isInside ? 0.0 : isLeft ? 128.0 : float(fragments); // 128: above all networks
-  float sum = isInside ? float(fragments) : 0.0;
-  ivec2 odd = at & 1;
-  float mostOfPair = max(most, odd.x == 0 ? most + dFdx(most) : most - dFdx(most));
-  float mostOfFour = max(
-    mostOfPair, odd.y == 0 ? mostOfPair + dFdy(mostOfPair) : mostOfPair - dFdy(mostOfPair));
-  float sumOfPair = 2.0 * sum + (odd.x == 0 ? dFdx(sum) : -dFdx(sum));
-  float sumOfFour = 2.0 * sumOfPair + (odd.y == 0 ? dFdy(sumOfPair) : -dFdy(sumOfPair));
+  int inside = at.x - oitCorner.x;
+  bool isInside = 0 <= inside && inside < oitSize.x;
+  most = isInside ? most : 0.0;
+  sum = isInside ? sum : 0.0;
+  float towardsOther = (at.x & 1) == 0 ? 1.0 : -1.0;
+  float mostOfOther = most + towardsOther * dFdxFine(most);
+  float sumOfOther = sum + towardsOther * dFdxFine(sum);
   ivec2 block = at % OIT_TILE_SIZE / 2;
-  bool isOnDiagonal = block.x == block.y;
-  most = isOnDiagonal ? most : mostOfFour;
-  sum = isOnDiagonal ? sum : sumOfFour;
-  // At the lower and left edge of the rectangle, the even neighbour may be outside.
-  bvec2 isEdge = equal(inside, ivec2(0));
-  if (most > 0.0 && (isOnDiagonal || ((odd.x == 0 || isEdge.x) && (odd.y == 0 || isEdge.y))))
+  if (block.x != block.y)
+  {
+    most = max(most, mostOfOther);
+    sum += sumOfOther;
+    isMine = (at.x & 1) == 0 || inside == 0; // the even one may be outside
+  }
+#endif
+  if (isMine && most > 0.0)
   {
     int tile = oitFindTile();
     atomicMax(oitTiles[tile].Complexity, most < 128.0 ? uint(most) : OIT_TRY_AGAIN);
