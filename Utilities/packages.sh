@@ -22,6 +22,7 @@ packages='
   libosmesa6?
   libegl1
   libgl1-mesa-dri
+  glslang-tools?
 '
 
 case ${1:-} in

@@ -132,6 +132,7 @@ vtkOITFailure vtkOITGatherHook::RenderBy(
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(state->GetRenderer()->GetVTKWindow());
   if (window != this->Window)
   {
+    this->Wrapped.clear(); // the version of GLSL may be another one
     this->Proven.clear();
     this->Window = window;
   }

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/GL/vtkOITShaderText.h"
 
+#include "Private/Frame/vtkOITCompatibility.h"
+
 #include "vtkOITConstantsText.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -13,6 +16,32 @@ namespace
 {
 constexpr const char* Top = "//VTK::System::Dec";
 constexpr const char* OITShade = "void oitShade()";
+
+/// Extensions whose specifications are written against a later GLSL than VTK's 1.50, and the one
+/// that strict compilers ask for: Khronos's glslangValidator refuses them in an earlier one.
+constexpr struct
+{
+  const char* Extension;
+  int Version;
+} Versions[] = { { "GL_ARB_shader_image_load_store", 420 },
+  { "GL_ARB_shading_language_420pack", 420 }, { "GL_ARB_shader_storage_buffer_object", 430 },
+  { "GL_ARB_derivative_control", 450 }, { "GL_ARB_fragment_shader_interlock", 450 },
+  { "GL_ARB_post_depth_coverage", 450 } };
+
+/// What VTK puts below its own version for the texts of applications, which may be of any age.
+constexpr const char* Synonyms = "#define highp\n#define mediump\n#define lowp\n"
+                                 "#define texelFetchBuffer texelFetch\n#define texture1D texture\n"
+                                 "#define texture2D texture\n#define texture3D texture\n"
+                                 "#define varying in\n";
+
+/// GLSL of the current context: 150, 450.
+int FindSupportedVersion()
+{
+  const auto* text = reinterpret_cast<const char*>(glGetString(GL_SHADING_LANGUAGE_VERSION));
+  int major = 0;
+  int minor = 0;
+  return text && std::sscanf(text, "%d.%d", &major, &minor) == 2 ? 100 * major + minor : 0;
+}
 
 /// Every `from`.
 void Replace(std::string& text, const std::string& from, const std::string& to)
@@ -90,12 +119,19 @@ vtkOITShaderText& vtkOITShaderText::Require(std::initializer_list<const char*> e
 {
   for (const char* name : extensions)
   {
-    if (std::find(this->Extensions.begin(), this->Extensions.end(), name) == this->Extensions.end())
+    if (!this->Requires(name))
     {
       this->Extensions.emplace_back(name);
     }
   }
   return *this;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITShaderText::Requires(const char* extension) const
+{
+  return std::find(this->Extensions.begin(), this->Extensions.end(), extension) !=
+    this->Extensions.end();
 }
 
 //------------------------------------------------------------------------------
@@ -145,9 +181,20 @@ vtkOITShaderText& vtkOITShaderText::TestDepthEarly()
 }
 
 //------------------------------------------------------------------------------
+// An earlier version than the extensions ask for, where the context has no other: the drivers that
+// offer them there take them there.
 std::string vtkOITShaderText::GetTop(bool testsDepthEarly, bool writesDepth) const
 {
-  std::string text;
+  int version = 0;
+  for (const auto& needed : Versions)
+  {
+    version = this->Requires(needed.Extension) ? std::max(version, needed.Version) : version;
+  }
+  std::string text = std::string(Top) + "\n";
+  if (version > 0 && FindSupportedVersion() >= version)
+  {
+    text = "#version " + std::to_string(version) + "\n" + Synonyms;
+  }
   for (const std::string& name : this->Extensions)
   {
     text += "#extension " + name + " : require\n";
@@ -163,7 +210,7 @@ std::string vtkOITShaderText::GetTop(bool testsDepthEarly, bool writesDepth) con
 std::string vtkOITShaderText::GetText() const
 {
   std::string text = this->Stage;
-  Replace(text, Top, std::string(Top) + "\n" + this->GetTop(this->EarlyTests, false));
+  Replace(text, Top, this->GetTop(this->EarlyTests, false));
   return text;
 }
 
@@ -179,9 +226,8 @@ bool vtkOITShaderText::Wrap(std::string& mapperShader) const
   mapperShader = std::regex_replace(mapperShader, mainFunction, OITShade);
   ReplaceDiscard(mapperShader);
   const std::string variables = ReplaceOutputs(mapperShader);
-  Replace(mapperShader, Top,
-    std::string(Top) + "\n" + this->GetTop(this->EarlyTests && !writesDepth, writesDepth) +
-      variables);
+  Replace(
+    mapperShader, Top, this->GetTop(this->EarlyTests && !writesDepth, writesDepth) + variables);
   mapperShader += "\n" + this->Stage;
   return true;
 }

@@ -20,7 +20,8 @@ class vtkOITShaderText
 public:
   vtkOITShaderText(std::initializer_list<const char*> files);
 
-  /// Asks for extensions by name.
+  /// Asks for extensions by name, and for the GLSL version that they are written against, where the
+  /// current context has it.
   vtkOITShaderText& Require(std::initializer_list<const char*> extensions);
   /// `#define name value`, when `isDefined`.
   ///@{
@@ -53,6 +54,7 @@ public:
   bool operator==(const vtkOITShaderText& other) const;
 
 private:
+  bool Requires(const char* extension) const;
   std::string GetTop(bool testsDepthEarly, bool writesDepth) const;
 
   std::vector<std::string> Extensions;

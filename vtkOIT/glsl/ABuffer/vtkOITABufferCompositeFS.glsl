@@ -24,15 +24,23 @@
 #define OIT_IS_COVERED(fragment) true
 #endif
 
+// The sum, and what rounding took from it. A function of its own: glslangValidator, the reference
+// compiler, does not end where `precise` stands in a loop.
+vec2 oitAdd(float value, float change)
+{
+  precise float sum = value + change;
+  precise float rest = change - (sum - value);
+  return vec2(sum, rest);
+}
+
 #define OIT_BLEND_GROUP                                                                            \
   {                                                                                                \
     float w = transmittance * opacity;                                                             \
     color += members > 1u ? transmittance * (weighted * (opacity / weight)) : w * latest;          \
-    precise float change = rest - w;                                                               \
-    precise float sum = transmittance + change;                                                    \
+    vec2 sum = oitAdd(transmittance, rest - w);                                                    \
     ++groups;                                                                                      \
-    rest = groups > OIT_PLAIN_GROUPS && opacity < 1.0 ? change - (sum - transmittance) : 0.0;      \
-    transmittance = opacity < 1.0 ? sum : 0.0;                                                     \
+    rest = groups > OIT_PLAIN_GROUPS && opacity < 1.0 ? sum.y : 0.0;                               \
+    transmittance = opacity < 1.0 ? sum.x : 0.0;                                                   \
   }
 
 const uint OIT_PLAIN_GROUPS = 64u; // the first is empty; the error of the last one counts behind it
