@@ -34,7 +34,7 @@ private:
   void Forget() override { this->Names.clear(); }
 
   std::vector<GLuint> Names;
-  bool Counts = false;
+  bool Counts = true;
 };
 
 #endif
