@@ -7,6 +7,7 @@
 
 #include "Oracle/ReferenceCompositor.h"
 #include "Rig/FaultInjector.h"
+#include "Rig/GLMessages.h"
 #include "Rig/LineCatcher.h"
 #include "Rig/Rig.h"
 
@@ -139,6 +140,7 @@ public:
     this->Begin(rig, true);
     vtkActor* actor = rig.Renderer->GetActors()->GetLastActor();
     const LineCatcher catcher(this->UsualLines);
+    const GLMessages::Pause pause; // the compiler's words
     for (const bool isBroken : { false, true, true, false })
     {
       vtkShaderProperty* shaders = actor->GetShaderProperty();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rig/Rig.h"
 
+#include "Rig/GLMessages.h"
 #include "Rig/GLObjects.h"
 
 #include "vtkActor.h"
@@ -285,6 +286,7 @@ void Rig::SetDrawOrder(const std::vector<vtkSmartPointer<vtkActor>>& actors)
 //------------------------------------------------------------------------------
 void Rig::BindTarget(vtkObject*, unsigned long, void*)
 {
+  GLMessages::Watch(); // each time: the context may be a new one
   if (!this->UseTarget)
   {
     return;

@@ -3,6 +3,7 @@
 #include "Rig/Setup.h"
 
 #include "Rig/Contenders.h"
+#include "Rig/GLMessages.h"
 #include "Rig/Rig.h"
 
 #include "vtkCameraPass.h"
@@ -245,6 +246,10 @@ int RunTest(
         setup.UseMode = use;
         report.SetContext(setup.Describe());
         body(report, setup);
+        for (const std::string& message : GLMessages::Take())
+        {
+          report.Check(false, "OpenGL says: " + message);
+        }
       }
     }
   }

@@ -46,6 +46,15 @@ std::string vtkOITABufferEngine::FindMissing(
 }
 
 //------------------------------------------------------------------------------
+std::string vtkOITABufferEngine::FindMissingIn(const vtkOITFrame& frame) const
+{
+  return frame.Target.Samples > 0 && !frame.Capabilities->SampleShading
+    ? "the framebuffer is multisampled and this context lacks GL_ARB_sample_shading; "
+      "call SetMultiSamples(0) of the render window"
+    : std::string();
+}
+
+//------------------------------------------------------------------------------
 void vtkOITABufferEngine::Release()
 {
   this->Store.Release();

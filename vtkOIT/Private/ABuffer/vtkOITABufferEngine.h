@@ -22,6 +22,7 @@ public:
   std::string GetAlgorithmName(const vtkOITSettings&) const override { return "A-buffer"; }
   std::string FindMissing(
     const vtkOITCapabilities& capabilities, const vtkOITSettings& settings) const override;
+  std::string FindMissingIn(const vtkOITFrame& frame) const override;
   bool UsesStorage() const override { return true; }
   vtkOITFailure Draw(const vtkOITFrame& frame, const vtkOITSettings& settings,
     vtkOITGeometry& geometry, vtkOITStatistics& statistics) override;

@@ -77,6 +77,14 @@ std::int64_t FindMemory(const std::set<std::string>& extensions)
   return static_cast<std::int64_t>(machine.GetTotalPhysicalMemory()) * 1024 * 1024; // from MiB
 }
 
+/// A context may have occlusion queries whose counters have no bits.
+bool CountsSamples()
+{
+  GLint bits = 0;
+  glGetQueryiv(GL_SAMPLES_PASSED, GL_QUERY_COUNTER_BITS, &bits);
+  return bits > 0;
+}
+
 std::int64_t GetInteger64(GLenum name)
 {
   GLint64 value = 0;
@@ -99,14 +107,22 @@ vtkOITCapabilities::vtkOITCapabilities(vtkOpenGLRenderWindow* window)
   const auto has = [&extensions](const char* name) { return extensions.count(name) > 0; };
   this->MissingForStorage = FindMissing(extensions,
     { "GL_ARB_shader_image_load_store", "GL_ARB_shader_storage_buffer_object",
-      "GL_ARB_shading_language_420pack", "GL_ARB_gpu_shader5", "GL_ARB_clear_texture" },
+      "GL_ARB_shading_language_420pack", "GL_ARB_gpu_shader5", "GL_ARB_texture_storage",
+      "GL_ARB_clear_texture" },
     "; use a driver with OpenGL 4.4 or Mesa's llvmpipe");
   this->MissingForPeeling = FindMissing(extensions, { "GL_ARB_explicit_attrib_location" },
     "; use a driver with OpenGL 3.3 or Mesa's llvmpipe");
+  if (!CountsSamples())
+  {
+    this->MissingForCounting =
+      "this context counts no samples (GL_ARB_occlusion_query2), and by such counts peeling ends; "
+      "call UseOcclusionQueryOff() and SetMaximumNumberOfPeels()";
+  }
   this->EarlyFragmentTests = has("GL_ARB_shader_image_load_store");
   this->FragmentInterlock = has("GL_ARB_fragment_shader_interlock");
   this->TextureBarrier = has("GL_ARB_texture_barrier");
   this->FramebufferFetch = has("GL_EXT_shader_framebuffer_fetch");
+  this->SampleShading = has("GL_ARB_sample_shading");
   this->PostDepthCoverage = has("GL_ARB_post_depth_coverage");
   this->FineDerivatives = has("GL_ARB_derivative_control");
   this->Memory = FindMemory(extensions);

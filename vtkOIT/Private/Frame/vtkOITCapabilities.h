@@ -29,6 +29,9 @@ public:
   /// Empty, or one line: what is missing to draw into several float buffers with blending.
   const std::string& GetMissingForPeeling() const { return this->MissingForPeeling; }
 
+  /// Empty, or one line: samples that pass are not counted.
+  const std::string& GetMissingForCounting() const { return this->MissingForCounting; }
+
   /// Fragment shaders may ask for the depth test to run before them: ARB_shader_image_load_store.
   bool EarlyFragmentTests = false;
   /// ARB_fragment_shader_interlock: fragments of a pixel enter a section of a shader one by one.
@@ -37,6 +40,8 @@ public:
   bool TextureBarrier = false;
   /// EXT_shader_framebuffer_fetch: a fragment shader reads what the colour buffer holds.
   bool FramebufferFetch = false;
+  /// ARB_sample_shading: a shader runs for each sample of a pixel.
+  bool SampleShading = false;
   /// ARB_post_depth_coverage: gl_SampleMaskIn holds only the samples that passed the depth test.
   bool PostDepthCoverage = false;
   /// ARB_derivative_control: differences between the very pixels of a pair, dFdxFine().
@@ -52,6 +57,7 @@ public:
 private:
   std::string MissingForStorage;
   std::string MissingForPeeling;
+  std::string MissingForCounting;
 };
 
 #endif

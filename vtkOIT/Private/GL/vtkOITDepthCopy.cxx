@@ -13,25 +13,31 @@
 
 namespace
 {
-GLenum FindFormat(const vtkOITTarget& target)
+/// An internal format, with format and type of (absent) pixels that it accepts.
+struct DepthFormat
 {
+  GLenum Internal;
+  GLenum Format;
+  GLenum Type;
+};
+
+DepthFormat FindFormat(const vtkOITTarget& target)
+{
+  const bool hasStencil = target.StencilBits > 0;
   if (target.FloatDepth)
   {
-    return target.StencilBits > 0 ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
+    return hasStencil ? DepthFormat{ GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL,
+                          GL_FLOAT_32_UNSIGNED_INT_24_8_REV }
+                      : DepthFormat{ GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT };
   }
-  if (target.StencilBits > 0)
+  if (hasStencil)
   {
-    return GL_DEPTH24_STENCIL8;
+    return { GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8 };
   }
-  switch (target.DepthBits)
-  {
-    case 16:
-      return GL_DEPTH_COMPONENT16;
-    case 24:
-      return GL_DEPTH_COMPONENT24;
-    default:
-      return GL_DEPTH_COMPONENT32;
-  }
+  const GLenum format = target.DepthBits == 16 ? GL_DEPTH_COMPONENT16
+    : target.DepthBits == 24                   ? GL_DEPTH_COMPONENT24
+                                               : GL_DEPTH_COMPONENT32;
+  return { format, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT };
 }
 }
 
@@ -41,7 +47,8 @@ vtkOITFailure vtkOITDepthCopy::Allocate(
 {
   const int width = rectangle.Width;
   const int height = rectangle.Height;
-  const GLenum format = FindFormat(frame.Target);
+  const DepthFormat depth = FindFormat(frame.Target);
+  const GLenum format = depth.Internal;
   const bool attached = this->Attach(frame.Window);
   frame.GLState->vtkglActiveTexture(GL_TEXTURE0 + unit);
   if (attached && this->Texture && this->Format == format &&
@@ -65,11 +72,20 @@ vtkOITFailure vtkOITDepthCopy::Allocate(
   const vtkOITAllocation allocation;
   if (this->Samples > 0)
   {
-    glTexStorage2DMultisample(this->Target, this->Samples, format, width, height, GL_TRUE);
+    glTexImage2DMultisample(this->Target, this->Samples, format, width, height, GL_TRUE);
   }
   else
   {
-    glTexStorage2D(this->Target, 1, format, width, height);
+    if (glTexStorage2D)
+    {
+      glTexStorage2D(this->Target, 1, format, width, height);
+    }
+    else // before OpenGL 4.2
+    {
+      glTexImage2D(this->Target, 0, static_cast<GLint>(format), width, height, 0, depth.Format,
+        depth.Type, nullptr);
+      glTexParameteri(this->Target, GL_TEXTURE_MAX_LEVEL, 0);
+    }
     glTexParameteri(this->Target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(this->Target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   }
@@ -133,7 +149,7 @@ std::int64_t vtkOITDepthCopy::GetSizeInBytes() const
 //------------------------------------------------------------------------------
 std::int64_t vtkOITDepthCopy::GetBytes(const vtkOITRectangle& rectangle, const vtkOITTarget& target)
 {
-  const int bytes = FindFormat(target) == GL_DEPTH32F_STENCIL8 ? 8 : 4;
+  const int bytes = FindFormat(target).Internal == GL_DEPTH32F_STENCIL8 ? 8 : 4;
   return rectangle.GetArea() * bytes * std::max(1, target.Samples);
 }
 

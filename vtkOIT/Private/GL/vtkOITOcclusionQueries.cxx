@@ -2,6 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/GL/vtkOITOcclusionQueries.h"
 
+namespace
+{
+GLint AskOfSamples(GLenum name)
+{
+  GLint value = 0; // what a context leaves there that does not know the name
+  glGetQueryiv(GL_SAMPLES_PASSED, name, &value);
+  return value;
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITOcclusionQueries::CanCount()
+{
+  return AskOfSamples(GL_QUERY_COUNTER_BITS) > 0 && AskOfSamples(GL_CURRENT_QUERY) == 0;
+}
+
 //------------------------------------------------------------------------------
 void vtkOITOcclusionQueries::Begin(vtkOpenGLRenderWindow* window, std::size_t number)
 {
@@ -12,18 +28,32 @@ void vtkOITOcclusionQueries::Begin(vtkOpenGLRenderWindow* window, std::size_t nu
     glGenQueries(1, &name);
     this->Names.push_back(name);
   }
-  glBeginQuery(GL_SAMPLES_PASSED, this->Names[number]);
+  if (number == 0)
+  {
+    this->Counts = CanCount();
+  }
+  if (this->Counts)
+  {
+    glBeginQuery(GL_SAMPLES_PASSED, this->Names[number]);
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkOITOcclusionQueries::End()
 {
-  glEndQuery(GL_SAMPLES_PASSED);
+  if (this->Counts)
+  {
+    glEndQuery(GL_SAMPLES_PASSED);
+  }
 }
 
 //------------------------------------------------------------------------------
 bool vtkOITOcclusionQueries::IsAvailable(std::size_t number) const
 {
+  if (!this->Counts)
+  {
+    return true;
+  }
   GLuint isAvailable = GL_FALSE;
   glGetQueryObjectuiv(this->Names[number], GL_QUERY_RESULT_AVAILABLE, &isAvailable);
   return isAvailable != GL_FALSE;
@@ -32,6 +62,10 @@ bool vtkOITOcclusionQueries::IsAvailable(std::size_t number) const
 //------------------------------------------------------------------------------
 std::int64_t vtkOITOcclusionQueries::GetResult(std::size_t number) const
 {
+  if (!this->Counts)
+  {
+    return -1;
+  }
   GLuint samples = 0;
   glGetQueryObjectuiv(this->Names[number], GL_QUERY_RESULT, &samples);
   return samples;

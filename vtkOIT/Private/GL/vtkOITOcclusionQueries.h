@@ -10,17 +10,23 @@
 #include <vector>
 
 /// A numbered row of occlusion queries, which count the samples that pass between Begin and End.
+/// Where the context does not count, or the application counts itself around the frame, nothing is
+/// counted and nobody may rely on a result. That is found out at number 0, once for a row: asking
+/// OpenGL for every one of many props would wait for the driver.
 class vtkOITOcclusionQueries : public vtkOITContextObjects
 {
 public:
   ~vtkOITOcclusionQueries() override { this->Release(); }
 
+  /// Whether the context counts samples, and nobody else has begun to.
+  static bool CanCount();
+
   void Begin(vtkOpenGLRenderWindow* window, std::size_t number);
-  static void End();
+  void End();
 
   /// Whether the result can be had without waiting.
   bool IsAvailable(std::size_t number) const;
-  /// The number of samples; waits for it.
+  /// The number of samples; waits for it. Negative when it is not known.
   std::int64_t GetResult(std::size_t number) const;
 
 private:
@@ -28,6 +34,7 @@ private:
   void Forget() override { this->Names.clear(); }
 
   std::vector<GLuint> Names;
+  bool Counts = true;
 };
 
 #endif

@@ -169,7 +169,7 @@ vtkOITFailure vtkOITMultiLayerPeeler::GatherUnordered(const vtkOITPeelContext& c
   {
     this->Changes.Begin(context.Frame.Window, 0);
     vtkOITFailure failure = this->RenderGeometry(context);
-    vtkOITOcclusionQueries::End();
+    this->Changes.End();
     if (failure || this->Changes.GetResult(0) == 0)
     {
       return failure;

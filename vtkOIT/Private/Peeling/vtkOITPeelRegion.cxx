@@ -7,6 +7,7 @@
 #include "vtkOpenGLState.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace
 {
@@ -55,7 +56,7 @@ void vtkOITPeelRegion::Count(std::size_t peel, const std::function<void()>& draw
         rectangle.X, rectangle.Y, rectangle.Width, rectangle.Height);
       this->Queries.Begin(this->Frame->Window, this->Peels[peel].back().Query);
       draw();
-      vtkOITOcclusionQueries::End();
+      this->Queries.End();
     }
   }
 }
@@ -74,7 +75,12 @@ std::int64_t vtkOITPeelRegion::GetRemaining(std::size_t peel) const
   std::int64_t remaining = 0;
   for (const Cell& cell : this->Peels[peel])
   {
-    remaining += this->Queries.GetResult(cell.Query);
+    const std::int64_t samples = this->Queries.GetResult(cell.Query);
+    if (samples < 0)
+    {
+      return std::numeric_limits<std::int64_t>::max(); // not counted: all
+    }
+    remaining += samples;
   }
   return remaining;
 }
@@ -85,7 +91,7 @@ void vtkOITPeelRegion::ShrinkTo(std::size_t peel)
   vtkOITRectangle region;
   for (const Cell& cell : this->Peels[peel])
   {
-    if (this->Queries.GetResult(cell.Query) > 0)
+    if (this->Queries.GetResult(cell.Query) != 0)
     {
       region = region.Unite(cell.Rectangle);
     }

@@ -3,9 +3,11 @@
 #include "Private/Peeling/vtkOITPeelingEngine.h"
 
 #include "Private/Engine/vtkOITGeometry.h"
+#include "Private/Frame/vtkOITCapabilities.h"
 #include "Private/Frame/vtkOITFrame.h"
 #include "Private/Frame/vtkOITSettings.h"
 #include "Private/Frame/vtkOITStatistics.h"
+#include "Private/GL/vtkOITOcclusionQueries.h"
 #include "Private/Peeling/vtkOITPeeler.h"
 #include "glsl/Common/vtkOITConstants.h"
 
@@ -48,7 +50,10 @@ vtkOITPeelingEngine::~vtkOITPeelingEngine() = default;
 std::string vtkOITPeelingEngine::FindMissing(
   const vtkOITCapabilities& capabilities, const vtkOITSettings& settings) const
 {
-  return this->Peeler->FindMissing(capabilities, settings);
+  const std::string& missing = capabilities.GetMissingForCounting();
+  return settings.UseOcclusionQuery && !missing.empty()
+    ? missing
+    : this->Peeler->FindMissing(capabilities, settings);
 }
 
 //------------------------------------------------------------------------------
@@ -79,6 +84,11 @@ void vtkOITPeelingEngine::Release()
 vtkOITFailure vtkOITPeelingEngine::Draw(const vtkOITFrame& frame, const vtkOITSettings& settings,
   vtkOITGeometry& geometry, vtkOITStatistics& statistics)
 {
+  if (settings.UseOcclusionQuery && !vtkOITOcclusionQueries::CanCount())
+  {
+    return vtkOITFailure("the application counts samples while it renders, and by such counts "
+                         "peeling ends; end its occlusion query before Render()");
+  }
   vtkOITPeeler& peeler = this->ChoosePeeler(frame);
   if (&peeler != this->Chosen)
   {

@@ -84,7 +84,7 @@ void vtkOITPropCulling::EndPass()
 {
   if (this->Current != None)
   {
-    vtkOITOcclusionQueries::End();
+    this->Queries.End();
     this->Current = None;
   }
 }

@@ -46,7 +46,7 @@ bool vtkOITDepthCheck::IsUnchanged(const vtkOITFrame& frame)
       program->SetUniformi("oitDepth", OIT_UNIT_DEPTH);
       program->SetUniformi("oitKeptDepth", OIT_UNIT_GATHERED);
     });
-  vtkOITOcclusionQueries::End();
+  this->Query.End();
   this->Kept.Unbind(state, OIT_UNIT_GATHERED);
   this->Now.Unbind(state, OIT_UNIT_DEPTH);
   return !failure && this->Query.GetResult(0) == 0;

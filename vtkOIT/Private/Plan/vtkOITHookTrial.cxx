@@ -74,7 +74,7 @@ vtkOITHookTrial::Found vtkOITHookTrial::Try(
   state->vtkglDisable(GL_DEPTH_TEST);
   this->Query.Begin(frame.Window, 0);
   const int draws = geometry.Try(prop, this->Gather);
-  vtkOITOcclusionQueries::End();
+  this->Query.End();
   if (this->Query.GetResult(0) > 0)
   {
     return Found::Unhooked;

@@ -27,6 +27,12 @@ layout(location = 3) inout uvec4 oitColor1;
 #endif
 //VTK::OIT::LayerBuffers
 
+// Before oitInsert(): a compiler that goes by the order of the text calls the layers uninitialized.
+void oitLoadLayers()
+{
+  //VTK::OIT::LoadLayers
+}
+
 // The layer becomes the carried one where that belongs there, which carries what was there on. A
 // layer of this key is the one that the fragment joins: it keeps its place.
 void oitExchange(inout OITLayer carried, inout OITLayer layer, bool belongs, int key)
@@ -92,7 +98,7 @@ void main()
   bool isFirst = oitFirst != 0;
   bool isLeft = color.a > 0.0 && (isFirst || (depth > oitPixel.x && depth < oitPixel.y));
   int key = oitGetKey(oitRest != 0 ? 0.5 : depth);
-  //VTK::OIT::LoadLayers
+  oitLoadLayers();
   int flag = oitKept[OIT_LAYERS - 1].Key & OIT_MORE;
   oitKept[OIT_LAYERS - 1].Key -= flag;
   bool isMore = oitInsert(isLeft ? key : OIT_NO_NEAR, color);

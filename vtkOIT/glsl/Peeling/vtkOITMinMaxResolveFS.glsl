@@ -14,6 +14,12 @@ uniform int oitRest;
 #ifdef OIT_DUAL
 OIT_STATE_LAYER(3) // colour and transmittance of the layers peeled from the back
 
+// Before oitBlendOver(): a compiler that goes by the order of the text calls it uninitialized.
+void oitLoadBackState()
+{
+  OIT_LOAD_STATE(3)
+}
+
 void oitBlendOver(vec3 color, float opacity)
 {
   oitState3.rgb += color - opacity * oitState3.rgb;
@@ -57,7 +63,7 @@ void main()
   oitState1.x += front.Count;
 
 #ifdef OIT_DUAL
-  OIT_LOAD_STATE(3)
+  oitLoadBackState();
   vec4 backColor = oitLoadSums(2);
   vec4 backSums = oitLoadSums(3);
   OITGroup back = OITGroup(backColor.rgb, backSums.x, backSums.y, backSums.z);

@@ -14,6 +14,13 @@ OIT_STATE_LAYER(4) // opacity of the open group, its depth, count
 
 uniform int oitRest;
 
+// Before oitCloseGroup(): a compiler that goes by the order of the text calls it uninitialized.
+void oitLoadOpenGroup()
+{
+  OIT_LOAD_STATE(3)
+  OIT_LOAD_STATE(4)
+}
+
 void oitCloseGroup()
 {
   vec4 sums = oitState3;
@@ -51,8 +58,7 @@ void oitAddLayer(uint key, vec4 color)
 void main()
 {
   oitLoadCommonState();
-  OIT_LOAD_STATE(3)
-  OIT_LOAD_STATE(4)
+  oitLoadOpenGroup();
   uvec4 slots[OIT_SLOTS];
   //VTK::OIT::LoadSlots
   if (oitRest != 0)

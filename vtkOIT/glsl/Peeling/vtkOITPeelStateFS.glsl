@@ -57,7 +57,7 @@ void oitNoteError(float bound)
 // the order of coincident fragments (multi-layer peeling). A pixel of which this does not hold has
 // been drawn into past the Gather stage: it would be peeled for ever.
 #ifdef OIT_SLOTS
-vec2 oitOrder; // of the last fragment that was taken; next to the bounds from peel to peel
+vec2 oitOrder = vec2(0.0); // of the last fragment that was taken; next to the bounds from peel to peel
 #endif
 bool oitIsStalled(float nearest)
 {
