@@ -183,6 +183,13 @@ bool vtkOITGatherHook::PostReplaceShaderValues(std::string& vertexShader,
       this->Wrapped.emplace(before, fragmentShader);
     }
   }
+  vtkOITReplaceTop(fragmentShader,
+    [prop](std::string& top)
+    {
+      std::array<std::string, 3> texts{ "", "", top };
+      ReplaceLast(texts, prop);
+      top = texts[2];
+    });
   if (!this->Proves(vertexShader, geometryShader, fragmentShader, prop))
   {
     fragmentShader = "//VTK::System::Dec\n" + Discard;

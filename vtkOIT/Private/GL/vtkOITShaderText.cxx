@@ -15,6 +15,7 @@
 namespace
 {
 constexpr const char* Top = "//VTK::System::Dec";
+constexpr const char* InPlaceOfTop = "//VTK::OIT::System::Dec";
 constexpr const char* OITShade = "void oitShade()";
 
 /// Extensions whose specifications are written against a later GLSL than VTK's 1.50, and the one
@@ -190,11 +191,9 @@ std::string vtkOITShaderText::GetTop(bool testsDepthEarly, bool writesDepth) con
   {
     version = this->Requires(needed.Extension) ? std::max(version, needed.Version) : version;
   }
-  std::string text = std::string(Top) + "\n";
-  if (version > 0 && FindSupportedVersion() >= version)
-  {
-    text = "#version " + std::to_string(version) + "\n" + Synonyms;
-  }
+  const bool hasVersion = version > 0 && FindSupportedVersion() >= version;
+  std::string text =
+    hasVersion ? "#version " + std::to_string(version) + "\n" + Synonyms : std::string(Top) + "\n";
   for (const std::string& name : this->Extensions)
   {
     text += "#extension " + name + " : require\n";
@@ -203,6 +202,7 @@ std::string vtkOITShaderText::GetTop(bool testsDepthEarly, bool writesDepth) con
   text += writesDepth ? "#define OIT_WRITES_DEPTH\n" : "";
   text += this->Definitions + this->Declarations;
   text += testsDepthEarly ? "layout(early_fragment_tests) in;\n" : "";
+  text += hasVersion ? std::string(InPlaceOfTop) + "\n" : "";
   return text;
 }
 
@@ -230,6 +230,18 @@ bool vtkOITShaderText::Wrap(std::string& mapperShader) const
     mapperShader, Top, this->GetTop(this->EarlyTests && !writesDepth, writesDepth) + variables);
   mapperShader += "\n" + this->Stage;
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITReplaceTop(std::string& shader, const std::function<void(std::string& top)>& replaceMore)
+{
+  if (shader.find(InPlaceOfTop) != std::string::npos)
+  {
+    std::string top = Top;
+    replaceMore(top);
+    Replace(top, Top, "");
+    Replace(shader, InPlaceOfTop, top);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #ifndef vtkOITShaderText_h
 #define vtkOITShaderText_h
 
+#include <functional>
 #include <initializer_list>
 #include <string>
 #include <vector>
@@ -63,6 +64,11 @@ private:
   std::string Stage;
   bool EarlyTests = false;
 };
+
+/// Where a wrapped shader has a version of its own, VTK's `//VTK::System::Dec` is gone. What others
+/// would replace there later, they replace in `top`, and it gets where it belongs.
+void vtkOITReplaceTop(
+  std::string& shader, const std::function<void(std::string& top)>& replaceMore);
 
 /// True when the shader assigns gl_FragDepth.
 bool vtkOITWritesDepth(const std::string& fragmentShader);
