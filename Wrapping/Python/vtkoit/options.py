@@ -221,13 +221,15 @@ _PATHS = ("inputs", "output", "scenes", "document")
 
 
 def check(options):
-    """Raises Error for what no command could use: no value, as argparse makes of --name=--, or bytes
-    that are not of the locale's encoding, but for names of files. options: argparse.Namespace."""
+    """Raises Error for what no command could use: no value, as argparse makes of --name=-- up to Python
+    3.13 (later it makes "--"), or bytes that are not of the locale's encoding, but for names of files.
+    options: argparse.Namespace."""
     for name, value in vars(options).items():
         option = "--" + name.replace("_", "-")
-        if value == [] and name != "labels" or isinstance(value, list) and [] in value:
+        values = value if isinstance(value, list) else [value]
+        if value == [] and name != "labels" or [] in values or name not in _PATHS and "--" in values:
             raise Error("%s: a value is missing" % option)
-        for text in value if isinstance(value, list) else [value]:
+        for text in values:
             if isinstance(text, str) and name not in _PATHS and printable(text) != text:
                 raise Error("%s %s: is not text in the encoding of this terminal"
                             % (option, printable(text)))
