@@ -22,17 +22,19 @@ constexpr int Height = 8;
 const float NotANumber = std::numeric_limits<float>::quiet_NaN();
 const float Infinity = std::numeric_limits<float>::infinity();
 
-/// What a method keeps of the layers: opacities in [0, 1], half floats in [0, 65504]. Without
-/// storage `auto` peels, with colours as they are.
+/// What a method keeps of the layers: opacities in [0, 1], half floats in [0, 65504]. Where dual
+/// depth peeling has no framebuffer fetch it blends into floats, with colours as they are; so does
+/// `auto` without storage, as it peels.
 std::vector<Layer> Clamp(const std::vector<Layer>& layers, const Setup& setup)
 {
+  const bool keepsHalves = setup.Method == "dual" ? setup.HasFetch : setup.HasStorage;
   std::vector<Layer> kept;
   for (Layer layer : layers)
   {
     if (layer.Color.a > 0.0f) // not a number: leaves no trace
     {
       layer.Color.a = std::min(layer.Color.a, 1.0f);
-      if (setup.FragmentStorage == Storage::Half && setup.HasStorage)
+      if (setup.FragmentStorage == Storage::Half && keepsHalves)
       {
         layer.Color = glm::clamp(layer.Color, 0.0f, 65504.0f);
       }

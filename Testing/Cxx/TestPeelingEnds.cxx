@@ -2,12 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Peeling ends although a prop draws past the pass, into what the peels are found from; where that
-// has kept a peel from taking anything away, the frame is not exact and one line says so.
+// has kept a peel from taking anything away, the frame is not exact and one line says so. So it is
+// when the application counts samples around the frame, and peeling cannot: the picture is right, or
+// not exact, and the application has its count.
 
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/GLObjects.h"
 #include "Rig/LineCatcher.h"
 #include "Rig/Rig.h"
 
 #include "vtkActor.h"
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
@@ -40,6 +46,52 @@ public:
 vtkStandardNewMacro(UnkeyedProp);
 
 constexpr int FewPasses = 200;
+
+void BeginQuery(vtkObject*, unsigned long, void* query, void*)
+{
+  glBeginQuery(GL_SAMPLES_PASSED, *static_cast<GLuint*>(query));
+}
+
+void EndQuery(vtkObject*, unsigned long, void*, void*)
+{
+  glEndQuery(GL_SAMPLES_PASSED);
+}
+
+void CheckQueryOfApplication(Report& report, const Setup& setup)
+{
+  const std::vector<Layer> layers{ { 0.25f, { 0.9f, 0.2f, 0.1f, 0.4f } },
+    { 0.5f, { 0.2f, 0.8f, 0.3f, 0.6f } }, { 0.75f, { 0.3f, 0.3f, 0.9f, 0.5f } } };
+  Rig rig(setup, 16, 12);
+  rig.AddStack(layers);
+  const LineCatcher lines;
+  rig.Render(); // makes the context
+  GLuint query = 0;
+  glGenQueries(1, &query);
+  vtkNew<vtkCallbackCommand> begin;
+  begin->SetCallback(&BeginQuery);
+  begin->SetClientData(&query);
+  vtkNew<vtkCallbackCommand> end;
+  end->SetCallback(&EndQuery);
+  const unsigned long first = rig.Renderer->AddObserver(vtkCommand::StartEvent, begin);
+  const unsigned long last = rig.Renderer->AddObserver(vtkCommand::EndEvent, end);
+  for (int frame = 0; frame < 2; ++frame)
+  {
+    const Image image = rig.Render();
+    GLuint samples = 0;
+    glGetQueryObjectuiv(query, GL_QUERY_RESULT, &samples);
+    report.Check(samples > 0, "the application counts nothing");
+    if (rig.Pass->GetExact())
+    {
+      report.Compare("while the application counts samples", image,
+        Everywhere(ReferenceCompositor::Composite(layers, rig.GetBackground())),
+        ReferenceCompositor::RoundingBoundOfAnyStack(3, setup.FragmentStorage));
+    }
+  }
+  report.Check(lines.GetTexts().size() == 1, "not one line" + lines.Describe());
+  rig.Renderer->RemoveObserver(first);
+  rig.Renderer->RemoveObserver(last);
+  glDeleteQueries(1, &query);
+}
 }
 
 int TestPeelingEnds(int argc, char* argv[])
@@ -47,6 +99,7 @@ int TestPeelingEnds(int argc, char* argv[])
   return RunTest(argc, argv, Setups::Storages,
     [](Report& report, const Setup& setup)
     {
+      CheckQueryOfApplication(report, setup);
       for (const float alpha : { 0.0f, 0.5f, 1.0f })
       {
         Rig rig(setup, 16, 12);

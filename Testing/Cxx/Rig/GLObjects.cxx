@@ -25,6 +25,21 @@ int Count(IsObject isObject)
 }
 
 //------------------------------------------------------------------------------
+bool HasGLExtension(const std::string& name)
+{
+  GLint count = 0;
+  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLint i = 0; i < count; ++i)
+  {
+    if (name == reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 GLObjectCounts GLObjectCounts::OfCurrentContext()
 {
   GLObjectCounts counts;

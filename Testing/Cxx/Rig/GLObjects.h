@@ -17,6 +17,9 @@
 
 namespace vtkOITTest
 {
+/// Whether the current context has an extension, hidden from vtkOITCapabilities or not.
+bool HasGLExtension(const std::string& name);
+
 /// Objects that exist in the current context, found by asking for every name up to a bound.
 struct GLObjectCounts
 {

@@ -208,8 +208,13 @@ vtkOITFailure vtkOITMultiLayerPeeler::Peel(const vtkOITPeelContext& context, int
       failure = this->RenderGeometry(context);
       break;
     case Access::Interlock:
-      // Images instead of colour buffers; the depth test is the same.
-      vtkOITFramebuffer::DrawInto(0);
+      // Images instead of colour buffers; the depth test is the same. With another framebuffer, as
+      // VTK checks that the first colour of its own choice is drawn into.
+      failure = context.State.BindForGather(this->ImageFramebuffer, {}, [] {});
+      if (failure)
+      {
+        break;
+      }
       glBindImageTexture(OIT_IMAGE_SLOTS, this->Slots.GetLayer(0).Texture, 0, GL_TRUE, 0,
         GL_READ_WRITE, GL_RGBA32UI);
       glMemoryBarrier(GL_ALL_BARRIER_BITS);
@@ -276,6 +281,7 @@ void vtkOITMultiLayerPeeler::Release()
 {
   this->Slots.Release();
   this->GatherFramebuffer.Release();
+  this->ImageFramebuffer.Release();
   this->ResolveStage.Release();
   this->Changes.Release();
 }

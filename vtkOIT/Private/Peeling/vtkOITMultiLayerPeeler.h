@@ -54,6 +54,7 @@ private:
 
   vtkOITTextureArray Slots;
   vtkOITFramebuffer GatherFramebuffer;
+  vtkOITFramebuffer ImageFramebuffer; // without colours, for the interlock
   vtkOITScreenStage ResolveStage;
   vtkOITOcclusionQueries Changes;
 
