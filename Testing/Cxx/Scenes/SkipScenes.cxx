@@ -8,6 +8,7 @@
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
@@ -16,6 +17,8 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
 #include "vtkTexture.h"
 
 namespace vtkOITTest
@@ -48,6 +51,29 @@ void AddTexture(vtkActor* actor)
     ->SetTCoords(coordinates);
 }
 
+/// Selects the first cell; false where VTK's mappers know no selections.
+///@{
+template <typename Mapper>
+auto SelectCell(Mapper* mapper, int) -> decltype(mapper->GetSelection() != nullptr)
+{
+  vtkNew<vtkIdTypeArray> ids;
+  ids->InsertNextValue(0);
+  vtkNew<vtkSelectionNode> node;
+  node->SetContentType(vtkSelectionNode::INDICES);
+  node->SetFieldType(vtkSelectionNode::CELL);
+  node->SetSelectionList(ids);
+  vtkNew<vtkSelection> selection;
+  selection->AddNode(node);
+  mapper->SetSelection(selection);
+  return true;
+}
+template <typename Mapper>
+bool SelectCell(Mapper*, long)
+{
+  return false;
+}
+///@}
+
 /// Two quads that have a known order.
 std::vector<vtkActor*> AddTwoQuads(Rig& rig)
 {
@@ -73,6 +99,16 @@ std::vector<SkipScene> GetInvisibleScenes()
           a->RotateY(180.0);
         }),
       0, 2, 0, 1 },
+    { "opacity 0 with a selected cell, which has another",
+      with(
+        [](Rig&, vtkActor* a)
+        {
+          if (SelectCell(a->GetMapper(), 0))
+          {
+            a->GetProperty()->SetOpacity(0.0);
+          }
+        }),
+      0, Any, Any },
     { "empty data",
       with([](Rig&, vtkActor* a)
         { vtkPolyData::SafeDownCast(a->GetMapper()->GetInputDataObject(0, 0))->Initialize(); }),

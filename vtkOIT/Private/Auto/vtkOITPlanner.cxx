@@ -3,19 +3,22 @@
 #include "Private/Auto/vtkOITPlanner.h"
 
 #include "Private/Auto/vtkOITBlendPlan.h"
+#include "Private/Frame/vtkOITCompatibility.h"
 #include "Private/Frame/vtkOITSettings.h"
 
 #include "vtkActor.h"
+#include "vtkMapper.h"
 #include "vtkProperty.h"
 
 namespace
 {
-/// Nothing of it is seen wherever it is. Edges have an opacity of their own from VTK 9.3 on.
+/// Nothing of it is seen wherever it is. Selected cells have an opacity of their own, and edges from
+/// VTK 9.3 on.
 bool HasNoOpacity(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   return actor && actor->GetProperty()->GetOpacity() <= 0.0 && vtkOITFindPlainActor(prop) &&
-    !actor->GetProperty()->GetEdgeVisibility() &&
+    !actor->GetProperty()->GetEdgeVisibility() && !vtkOITDrawsSelection(actor->GetMapper(), 0) &&
     (!actor->GetBackfaceProperty() || actor->GetBackfaceProperty()->GetOpacity() <= 0.0);
 }
 
