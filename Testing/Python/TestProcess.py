@@ -120,9 +120,14 @@ class TestReadTimeout(EndlessTest):
 
     def test_reading_alone_counts(self):
         Support.write_volume(self.path("a.vti"), 60)
-        done = self.vtkoit("render", "a.vti", "--isosurface", "120", "150", "180", "--read-timeout", "0.5",
-                           "--size", "900x900", "--samples", "0", "-o", "a.png")
+        for limit in (0.5, 1.0, 2.0, 4.0, 8.0):  # of a loaded machine
+            start = time.monotonic()
+            done = self.vtkoit("render", "a.vti", "--isosurface", "120", "150", "180", "--read-timeout", str(limit),
+                               "--size", "900x900", "--samples", "0", "-o", "a.png")
+            if done.returncode == 0:
+                break
         self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertLess(limit, time.monotonic() - start)
         for value in ("0", "1e6"):
             self.assertEqual(self.vtkoit("render", "a.vti", "--read-timeout", value, "--size", "9x9",
                                          "-o", "a.png").returncode, 0)

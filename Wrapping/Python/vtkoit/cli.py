@@ -9,7 +9,7 @@ import traceback
 
 from . import child, streams
 from .errors import Error, one_line
-from .options import check, joined, parser
+from .options import check, joined, parser, without_value
 from .values import parse_numbers
 from .version import PYTHON_VERSION
 
@@ -27,7 +27,9 @@ def main(prog="vtkoit", arguments=None):
         streams.prepare()
         arguments = sys.argv[1:]
     try:
-        options = parser(prog).parse_args(joined(arguments))
+        missing = without_value(arguments)
+        options = parser(prog).parse_args([each for each in joined(arguments) if each not in missing])
+        options.without_value = missing
     except SystemExit as leave:
         status = leave.code or 0
         return _guarded(prog, lambda: status)

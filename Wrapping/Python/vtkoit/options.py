@@ -205,6 +205,12 @@ def _add_compare(compare):
     _add_scene(compare, "600x480")
 
 
+def without_value(arguments):
+    """The options that are given as --name=--, of which argparse makes no value up to Python 3.13, and a value or an error of
+    its own later; list of str."""
+    return [argument for argument in arguments if argument.startswith("--") and argument.endswith("=--")]
+
+
 def joined(arguments):
     """Joins --camera -x into --camera=-x, which argparse would take for an option; list of str."""
     result = []
@@ -221,15 +227,13 @@ _PATHS = ("inputs", "output", "scenes", "document")
 
 
 def check(options):
-    """Raises Error for what no command could use: no value, as argparse makes of --name=-- up to Python
-    3.13 (later it makes "--"), or bytes that are not of the locale's encoding, but for names of files.
-    options: argparse.Namespace."""
+    """Raises Error for what no command could use: no value, or bytes that are not of the locale's encoding, but for names
+    of files. options: argparse.Namespace."""
+    for option in options.without_value:
+        raise Error("%s: a value is missing" % option[:-3])
     for name, value in vars(options).items():
         option = "--" + name.replace("_", "-")
-        values = value if isinstance(value, list) else [value]
-        if value == [] and name != "labels" or [] in values or name not in _PATHS and "--" in values:
-            raise Error("%s: a value is missing" % option)
-        for text in values:
+        for text in value if isinstance(value, list) else [value]:
             if isinstance(text, str) and name not in _PATHS and printable(text) != text:
                 raise Error("%s %s: is not text in the encoding of this terminal"
                             % (option, printable(text)))
