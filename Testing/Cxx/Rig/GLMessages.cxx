@@ -29,8 +29,8 @@ bool IsFault(GLenum source, GLenum type, const std::string& text)
   return source == GL_DEBUG_SOURCE_SHADER_COMPILER && text.find("oit") != std::string::npos;
 }
 
-void GLAPIENTRY Keep(GLenum source, GLenum type, GLuint, GLenum, GLsizei length,
-  const GLchar* message, const void*)
+void GLAPIENTRY Keep(
+  GLenum source, GLenum type, GLuint, GLenum, GLsizei length, const GLchar* message, const void*)
 {
   std::string text = length < 0 ? std::string(message) : std::string(message, length);
   if (Pauses > 0 || !IsFault(source, type, text))

@@ -26,9 +26,9 @@ DepthFormat FindFormat(const vtkOITTarget& target)
   const bool hasStencil = target.StencilBits > 0;
   if (target.FloatDepth)
   {
-    return hasStencil ? DepthFormat{ GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL,
-                          GL_FLOAT_32_UNSIGNED_INT_24_8_REV }
-                      : DepthFormat{ GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT };
+    return hasStencil
+      ? DepthFormat{ GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV }
+      : DepthFormat{ GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT };
   }
   if (hasStencil)
   {
