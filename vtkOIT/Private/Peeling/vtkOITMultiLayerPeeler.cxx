@@ -263,7 +263,7 @@ void vtkOITMultiLayerPeeler::SetUniforms(
   vtkShaderProgram* program, vtkProp* prop, const vtkOITPeelContext& context)
 {
   context.State.BindFor(program);
-  context.State.SetDepthTest(program);
+  context.State.SetDepthTest(program, this->UsedAccess == Access::Interlock);
   program->SetUniformi("oitRest", this->IsRest ? 1 : 0);
   const int next = static_cast<int>(this->DrawNumbers.size());
   const auto number = this->DrawNumbers.emplace(std::make_pair(prop, this->Draws[prop]++), next);

@@ -279,15 +279,15 @@ void vtkOITPeelState::BindFor(vtkShaderProgram* program) const
 }
 
 //------------------------------------------------------------------------------
-void vtkOITPeelState::SetDepthTest(vtkShaderProgram* program) const
+void vtkOITPeelState::SetDepthTest(vtkShaderProgram* program, bool always) const
 {
   const vtkOITTarget& target = this->Frame->Target;
-  const bool testsDepth = this->HasMask && target.TestsDepth && target.DepthBits > 0;
-  if (testsDepth)
+  const bool testsDepth = target.TestsDepth && target.DepthBits > 0;
+  if (testsDepth && (this->HasMask || always))
   {
     this->OpaqueDepth.Bind(this->Frame->GLState, OIT_UNIT_DEPTH);
   }
-  program->SetUniformi("oitTestsDepth", testsDepth ? 1 : 0);
+  program->SetUniformi("oitTestsDepth", testsDepth ? (this->HasMask ? 2 : 1) : 0);
   program->SetUniformi("oitOpaqueDepth", OIT_UNIT_DEPTH);
   program->SetUniformi("oitDepthBits", target.GetFixedDepthBits());
   program->SetUniformi("oitDepthFunction", target.GetDepthRelations());

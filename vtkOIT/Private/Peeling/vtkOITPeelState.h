@@ -96,8 +96,10 @@ public:
 
   /// For Gather stages that test against opaque geometry themselves once there is a Mask, because
   /// they do not know the farthest fragment in front of it: sets the uniforms oitTestsDepth, which
-  /// is 0 as long as the hardware does it, oitOpaqueDepth and oitDepthBits.
-  void SetDepthTest(vtkShaderProgram* program) const;
+  /// is 2 once there is a Mask, 1 as long as the hardware does it, and 0 where nothing is in the way,
+  /// oitOpaqueDepth and oitDepthBits. With `always` the depth can be read before there is a Mask,
+  /// too: it is attached then, and not written.
+  void SetDepthTest(vtkShaderProgram* program, bool always) const;
 
   int GetWidth() const { return this->Storage.Width; }
   int GetHeight() const { return this->Storage.Height; }

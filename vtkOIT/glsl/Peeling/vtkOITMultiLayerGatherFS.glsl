@@ -9,7 +9,7 @@ uniform int oitRest;       // not 0: all that is left counts as one group
 uniform int oitDrawNumber; // the same for a draw in each peel
 
 uniform sampler2D oitOpaqueDepth;
-uniform int oitTestsDepth; // not 0: the hardware tests against a Mask, not against opaque geometry
+uniform int oitTestsDepth; // 0: nothing is in the way; 1: the hardware tests; 2: against a Mask only
 //VTK::OIT::DepthTest
 
 //VTK::OIT::SlotBuffers
@@ -88,7 +88,13 @@ void main()
   vec4 color = oitGetColor();
   vec4 bounds = texelFetch(oitState, ivec3(gl_FragCoord.xy, OIT_STATE_BOUNDS), 0);
   bool isLeft = color.a > 0.0 && bounds.x <= bounds.y && depth >= bounds.x;
-  if (oitTestsDepth != 0)
+#if defined(OIT_INTERLOCK) && defined(OIT_WRITES_DEPTH)
+  // What goes into an image is not undone by a test that comes after the shader.
+  const int leastUntested = 1;
+#else
+  const int leastUntested = 2;
+#endif
+  if (oitTestsDepth >= leastUntested)
   {
     float opaqueDepth = texelFetch(oitOpaqueDepth, ivec2(gl_FragCoord.xy), 0).r;
     isLeft = isLeft && oitPassesDepthTest(depth, opaqueDepth);
