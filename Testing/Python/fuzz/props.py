@@ -9,7 +9,6 @@ from vtkmodules.vtkCommonCore import vtkIdTypeArray
 from vtkmodules.vtkCommonDataModel import (
     vtkMultiBlockDataSet, vtkPlane, vtkPlaneCollection, vtkSelection, vtkSelectionNode)
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
-from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersSources import vtkConeSource
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleImage  # noqa: F401 (registers text)
 from vtkmodules.vtkRenderingAnnotation import vtkAnnotatedCubeActor, vtkAxesActor
@@ -18,7 +17,12 @@ from vtkmodules.vtkRenderingCore import (
     vtkFollower, vtkGlyph3DMapper, vtkImageActor, vtkPointGaussianMapper, vtkPolyDataMapper, vtkProperty,
     vtkTextActor, vtkTextActor3D, vtkTexture)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401 (draws text)
-from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2, vtkOpenGLSphereMapper
+from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLSphereMapper
+
+try:
+    from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2 as CompositeMapper
+except ImportError:  # from VTK 9.3 on
+    from vtkmodules.vtkRenderingCore import vtkCompositePolyDataMapper as CompositeMapper
 
 # Kinds that are an actor with a mapper of one mesh.
 MESHES = ("mesh", "dataset", "glyphs", "assembly", "points", "impostors", "follower", "gaussians")
@@ -43,7 +47,7 @@ class Prop:
 
     def set_matrix(self, prop, in_place=False):
         """in_place: the elements of the matrix that the prop has, as by a transform that moves."""
-        values = prop["matrix"] or vtkTransform().GetMatrix().GetData()
+        values = prop["matrix"] or [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
         old = self.moved.GetUserMatrix()
         if in_place and old:
             old.DeepCopy(values)
@@ -225,7 +229,7 @@ class Composite(Mesh):
 
     def __init__(self, prop, _camera):
         self.prop = self.actor = vtkActor()
-        self.mapper = vtkCompositePolyDataMapper2()
+        self.mapper = CompositeMapper()
         self.actor.SetMapper(self.mapper)
         self.mesh = None
         self.set_all(prop)
