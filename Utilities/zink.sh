@@ -55,6 +55,7 @@ ctest --test-dir build --verbose --no-tests=error --parallel "$(nproc)" --label-
   "$@" >"$log" 2>&1 || status=$?
 grep '% tests passed' "$log" || :
 say "the validation layer's messages, from $log:"
-grep -oE '(Validation (Error|Warning)|SYNC-HAZARD-[A-Z-]*|VUID-[A-Za-z0-9-]*|(vkCmd|vkQueue)[A-Za-z0-9]*\(\)).{0,200}' "$log" |
-  sed -E 's/0x[0-9a-f]+|[0-9]{2,}/N/g' | sort | uniq -c | sort -rn | head -40
+# The line below the name of a message says which command; numbers differ from one to the next.
+grep -a -A 3 'Validation \(Error\|Warning\)' "$log" | grep -aoE 'vk[A-Z][A-Za-z0-9]*\(\).{0,300}' |
+  sed -E 's/0x[0-9a-f]+|[0-9]{2,}/N/g' | sort | uniq -c | sort -rn | head -n 40
 exit "$status"

@@ -66,9 +66,12 @@ void CheckFormat(Report& report, const Setup& setup, const Format& format)
   for (const bool writesDepth : { false, true })
   {
     const bool usesABuffer = setup.Method == "abuffer" || setup.Method == "auto";
-    if (writesDepth && usesABuffer && setup.HasStorage && !setup.HasFetch)
+    const bool stores =
+      usesABuffer ? setup.HasStorage : setup.Method == "multilayer" && setup.HasInterlock;
+    if (writesDepth && stores && !setup.HasFetch)
     {
-      // Its shaders compare with a copy of the depth buffer then: docs/vtkOITABufferPass.md.
+      // What is stored is not undone by a late test, so shaders compare with a copy of the depth
+      // buffer then: docs/vtkOITABufferPass.md, docs/vtkOITMultiLayerPeelingPass.md.
       std::printf("not tested: %s: coplanar with offsets\n", setup.Describe().c_str());
       continue;
     }

@@ -102,6 +102,7 @@ struct Context
 {
   std::string Missing;
   bool HasFetch = false;
+  bool HasInterlock = false;
 };
 
 Context FindContext(const Setup& setup)
@@ -115,6 +116,7 @@ Context FindContext(const Setup& setup)
   window->Render();
   Context context;
   context.Missing = pass->GetMissingCapability(vtkOpenGLRenderWindow::SafeDownCast(window));
+  context.HasInterlock = HasGLExtension("GL_ARB_fragment_shader_interlock");
   context.HasFetch = HasGLExtension("GL_EXT_shader_framebuffer_fetch");
   return context;
 }
@@ -252,6 +254,8 @@ int RunTest(
     setup.Tier = tier.Name;
     setup.HasStorage = std::string(tier.Hidden).find("storage") == std::string::npos;
     setup.HasFetch = isFull && context.HasFetch;
+    setup.HasInterlock =
+      context.HasInterlock && std::string(tier.Hidden).find("interlock") == std::string::npos;
     setup.LargestStack = setup.HasStorage ? row->LargestStack : std::min(row->LargestStack, 257);
     for (const Storage storage : row->Storages)
     {

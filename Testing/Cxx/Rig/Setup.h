@@ -48,6 +48,7 @@ struct Setup
   std::string Tier = "all extensions"; // what the context is taken to have
   bool HasStorage = true;              // in this tier, so the A-buffer can take over
   bool HasFetch = true;                // in this tier
+  bool HasInterlock = false;           // the fragment shader interlock, in this tier
   int LargestStack = 4096;             // layers that the method peels in bearable time
   bool IsContender = false;            // one of VTK's own, see Contenders.h
   bool IsLong = false;                 // --long: also what takes too long to be run each time

@@ -59,6 +59,20 @@ std::vector<Access> GetAllowed(int synchronization)
       return { Access::Fetch, Access::Interlock, Access::Barrier };
   }
 }
+
+/// The one that is taken, of those that the context has.
+Access Choose(const vtkOITCapabilities& capabilities, const vtkOITSettings& settings)
+{
+  const std::vector<Access> allowed = GetAllowed(settings.Synchronization);
+  for (const Access access : allowed)
+  {
+    if (FindMissingFor(capabilities, access, settings.NumberOfLayersPerPass).empty())
+    {
+      return access;
+    }
+  }
+  return allowed.back();
+}
 }
 
 //------------------------------------------------------------------------------
@@ -89,17 +103,17 @@ std::string vtkOITMultiLayerPeeler::FindMissing(
 }
 
 //------------------------------------------------------------------------------
+bool vtkOITMultiLayerPeeler::UsesStorage(
+  const vtkOITCapabilities& capabilities, const vtkOITSettings& settings) const
+{
+  return Choose(capabilities, settings) == Access::Interlock;
+}
+
+//------------------------------------------------------------------------------
 void vtkOITMultiLayerPeeler::Prepare(const vtkOITFrame& frame, const vtkOITSettings& settings)
 {
   this->NumberOfLayers = settings.NumberOfLayersPerPass;
-  for (const Access access : GetAllowed(settings.Synchronization))
-  {
-    if (FindMissingFor(*frame.Capabilities, access, this->NumberOfLayers).empty())
-    {
-      this->UsedAccess = access;
-      break;
-    }
-  }
+  this->UsedAccess = Choose(*frame.Capabilities, settings);
   const int slots = this->GetNumberOfSlots();
   vtkOITShaderText text(
     { vtkOITFragmentFS, vtkOITHalfFS, vtkOITMultiLayerSlotsFS, vtkOITMultiLayerGatherFS });

@@ -25,6 +25,8 @@ public:
 
   std::string FindMissing(
     const vtkOITCapabilities& capabilities, const vtkOITSettings& settings) const override;
+  bool UsesStorage(
+    const vtkOITCapabilities& capabilities, const vtkOITSettings& settings) const override;
   void Prepare(const vtkOITFrame& frame, const vtkOITSettings& settings) override;
   vtkOITPeelState::Layout GetLayout(const vtkOITFrame& frame) const override;
   int GetBytesPerPixel(const vtkOITFrame& frame) const override;

@@ -43,6 +43,12 @@ public:
     return capabilities.GetMissingForPeeling();
   }
 
+  /// Whether it uses image units, so that they are saved.
+  virtual bool UsesStorage(const vtkOITCapabilities&, const vtkOITSettings&) const
+  {
+    return false;
+  }
+
   /// Peels that only prepare; they do not count for MaximumNumberOfPeels.
   virtual int GetNumberOfSetUpPeels() const { return 0; }
 

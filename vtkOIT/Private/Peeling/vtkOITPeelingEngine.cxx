@@ -66,6 +66,13 @@ std::string vtkOITPeelingEngine::FindMissingIn(const vtkOITFrame& frame) const
 }
 
 //------------------------------------------------------------------------------
+bool vtkOITPeelingEngine::UsesStorage(
+  const vtkOITCapabilities& capabilities, const vtkOITSettings& settings) const
+{
+  return this->Peeler->UsesStorage(capabilities, settings);
+}
+
+//------------------------------------------------------------------------------
 std::int64_t vtkOITPeelingEngine::GetSizeInBytes() const
 {
   return this->State.GetSizeInBytes() + this->Chosen->GetSizeInBytes();

@@ -25,6 +25,8 @@ public:
   std::string FindMissing(
     const vtkOITCapabilities& capabilities, const vtkOITSettings& settings) const override;
   std::string FindMissingIn(const vtkOITFrame& frame) const override;
+  bool UsesStorage(
+    const vtkOITCapabilities& capabilities, const vtkOITSettings& settings) const override;
   vtkOITFailure Draw(const vtkOITFrame& frame, const vtkOITSettings& settings,
     vtkOITGeometry& geometry, vtkOITStatistics& statistics) override;
   std::int64_t GetSizeInBytes() const override;

@@ -93,7 +93,7 @@ void vtkOITSorters::Draw(const vtkOITFrame& frame, const vtkOITSettings& setting
       continue;
     }
     this->ReleaseOthers(engine);
-    if (engine->UsesStorage())
+    if (engine->UsesStorage(*frame.Capabilities, settings))
     {
       saved.AddStorage();
     }
