@@ -41,7 +41,7 @@ void main()
   bool isTied = false;
   bool isLong = false;
   //VTK::OIT::Registers
-  bool isLeft = isTied || node != OIT_END || (isLong && thin > oitThreshold);
+  bool isHard = isTied || node != OIT_END || (isLong && thin > oitThreshold);
   for (; node != OIT_END; ++count)
   {
     node = oitLoadNext(OIT_WORD(node));
@@ -53,6 +53,9 @@ void main()
     atomicMax(oitTiles[oitFindTile()].Complexity, count); // of no effect on marks
     atomicAdd(oitTiles[oitFindTile()].Fragments, count);
   }
+  // A long list that the network for long lists has composited, in a tile with others that it left.
+  bool isDone = count > uint(OIT_LONG_LIST) && !wasIncomplete && !wasLeft;
+  bool isLeft = isHard && !isDone;
   if (isLeft)
   {
     imageStore(oitHeads, pixel, uvec4(head | OIT_LEFT));
@@ -62,7 +65,7 @@ void main()
   {
     imageStore(oitHeads, pixel, uvec4(head));
   }
-  if (isLeft || !(isTied || wasIncomplete || wasLeft) || head == OIT_END)
+  if (isLeft || isDone || !(isTied || wasIncomplete || wasLeft) || head == OIT_END)
   {
     discard;
   }
