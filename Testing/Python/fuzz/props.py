@@ -9,7 +9,6 @@ from vtkmodules.vtkCommonCore import vtkIdTypeArray
 from vtkmodules.vtkCommonDataModel import (
     vtkMultiBlockDataSet, vtkPlane, vtkPlaneCollection, vtkSelection, vtkSelectionNode)
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
-from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersSources import vtkConeSource
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleImage  # noqa: F401 (registers text)
 from vtkmodules.vtkRenderingAnnotation import vtkAnnotatedCubeActor, vtkAxesActor
@@ -43,7 +42,7 @@ class Prop:
 
     def set_matrix(self, prop, in_place=False):
         """in_place: the elements of the matrix that the prop has, as by a transform that moves."""
-        values = prop["matrix"] or vtkTransform().GetMatrix().GetData()
+        values = prop["matrix"] or [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
         old = self.moved.GetUserMatrix()
         if in_place and old:
             old.DeepCopy(values)
