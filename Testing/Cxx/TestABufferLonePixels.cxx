@@ -4,7 +4,8 @@
 // One pixel of a tile has more fragments than all others, or needs more than the first try because
 // its fragments coincide, at each place that it can have in a tile: it must be noticed, and drawn,
 // in every frame that starts from what the last one had. Tiles are drawn as two triangles, and one
-// pixel of four notes what the tile still needs; so the diagonal is another case.
+// pixel of four notes what the tile still needs; so the diagonal is another case. The other pixels,
+// which the first try has drawn, are not drawn twice.
 
 #include "Oracle/ReferenceCompositor.h"
 #include "Rig/Rig.h"
@@ -25,16 +26,16 @@ namespace
 {
 constexpr int TileSize = 16; // of the pass, in either direction
 
-/// A quad over one pixel in each tile of the window: in tile (i, j) over its pixel (i, j).
-void AddLonePixels(Rig& rig, const Layer& layer)
+/// A quad over one pixel in each of tiles x tiles tiles: in tile (i, j) over its pixel (i, j).
+void AddLonePixels(Rig& rig, const Layer& layer, int tiles)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> quads;
-  for (int tile = 0; tile < TileSize * TileSize; ++tile)
+  for (int tile = 0; tile < tiles * tiles; ++tile)
   {
-    const int x = (tile % TileSize) * (TileSize + 1);
-    const int y = (tile / TileSize) * (TileSize + 1);
+    const int x = (tile % tiles) * (TileSize + 1);
+    const int y = (tile / tiles) * (TileSize + 1);
     quads->InsertNextCell(4);
     for (const auto& corner : { glm::ivec2(0, 0), { 1, 0 }, { 1, 1 }, { 0, 1 } })
     {
@@ -49,14 +50,15 @@ void AddLonePixels(Rig& rig, const Layer& layer)
 }
 
 void CheckLonePixels(Report& report, const Setup& setup, const std::string& what,
-  const std::vector<Layer>& common, const std::vector<Layer>& more)
+  const std::vector<Layer>& common, const std::vector<Layer>& more, int tiles = TileSize,
+  int frames = 4)
 {
-  Rig rig(setup, TileSize * TileSize, TileSize * TileSize);
+  Rig rig(setup, tiles * TileSize, tiles * TileSize);
   rig.AddStack(common);
   std::vector<Layer> layers = common;
   for (const Layer& layer : more)
   {
-    AddLonePixels(rig, layer);
+    AddLonePixels(rig, layer, tiles);
     layers.push_back(layer);
   }
   const glm::dvec4 background = rig.GetBackground();
@@ -65,7 +67,7 @@ void CheckLonePixels(Report& report, const Setup& setup, const std::string& what
   const Tolerance bound =
     ReferenceCompositor::RoundingBound(common, background, setup.FragmentStorage) +
     ReferenceCompositor::RoundingBound(layers, background, setup.FragmentStorage);
-  for (int frame = 1; frame <= 4; ++frame)
+  for (int frame = 1; frame <= frames; ++frame)
   {
     report.Compare(
       what + ", frame " + std::to_string(frame), rig.Render(),
@@ -92,5 +94,17 @@ int TestABufferLonePixels(int argc, char* argv[])
       CheckLonePixels(report, setup, "coincident fragments",
         { { 0.75f, { 0.2f, 0.3f, 0.9f, 0.5f } } },
         { { 0.5f, { 0.9f, 0.2f, 0.1f, 0.5f } }, { 0.5f, { 0.1f, 0.8f, 0.2f, 0.25f } } });
+      // Lists for the network for long lists, which is used from the ninth frame on that has any: those
+      // beside the lone pixel must not be drawn again with it.
+      std::vector<Layer> many = Random(7).Layers(40);
+      for (Layer& layer : many)
+      {
+        layer.Color.a = 0.03f; // so that they are seen when they are drawn twice
+      }
+      const float depth = many[20].Depth;
+      CheckLonePixels(report, setup, "coincident fragments beside long lists", many,
+        { { depth, { 0.9f, 0.2f, 0.1f, 0.5f } } }, 3, 10);
+      CheckLonePixels(
+        report, setup, "a very long list beside long ones", many, Random(8).Layers(30), 3, 10);
     });
 }

@@ -190,6 +190,9 @@ def removed(rng, scene):
 
 @change("scene", "members")
 def order(rng, scene):
+    """Not of props with selected cells: VTK crashes when they are taken out and put in again."""
+    if any(prop["selection"] is not None for prop in scene["props"].values()):
+        return
     for renderer in scene["renderers"]:
         rng.shuffle(renderer["props"])
 

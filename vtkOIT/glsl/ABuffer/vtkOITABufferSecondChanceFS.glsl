@@ -54,7 +54,7 @@ void main()
     atomicAdd(oitTiles[oitFindTile()].Fragments, count);
   }
   // A long list that the network for long lists has composited, in a tile with others that it left.
-  bool isDone = isLong && !wasIncomplete && !wasLeft;
+  bool isDone = count > uint(OIT_LONG_LIST) && !wasIncomplete && !wasLeft;
   bool isLeft = isHard && !isDone;
   if (isLeft)
   {
