@@ -36,7 +36,7 @@ def make_case(seed, size):
     while sum(len(step["changes"]) for step in steps) < CHANGES_OF_A_SEED:
         names = [describe.pick(rng, weights) for _ in range(rng.choice([1, 1, 1, 2, 3]))]
         steps.append({"changes": [[name, rng.randrange(10**6)] for name in names],
-                      "frames": rng.choice([1, 1, 2, 3, 4])})
+                      "frames": rng.choice([1, 2, 3, 3, 4])})
     return {"scene": scene, "steps": steps}
 
 
