@@ -34,10 +34,7 @@ public:
   virtual std::string FindMissingIn(const vtkOITFrame&) const { return {}; }
 
   /// Whether it uses image units or storage buffers, so that they are saved.
-  virtual bool UsesStorage(const vtkOITCapabilities&, const vtkOITSettings&) const
-  {
-    return false;
-  }
+  virtual bool UsesStorage(const vtkOITCapabilities&, const vtkOITSettings&) const { return false; }
 
   /// Draws the props inside of the frame's rectangle over its target, and adds to the statistics.
   /// Changes the state that vtkOITSavedState restores. When it fails, it has drawn nothing where

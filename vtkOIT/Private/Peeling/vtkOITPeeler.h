@@ -44,10 +44,7 @@ public:
   }
 
   /// Whether it uses image units, so that they are saved.
-  virtual bool UsesStorage(const vtkOITCapabilities&, const vtkOITSettings&) const
-  {
-    return false;
-  }
+  virtual bool UsesStorage(const vtkOITCapabilities&, const vtkOITSettings&) const { return false; }
 
   /// Peels that only prepare; they do not count for MaximumNumberOfPeels.
   virtual int GetNumberOfSetUpPeels() const { return 0; }
