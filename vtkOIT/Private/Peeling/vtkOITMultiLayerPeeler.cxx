@@ -222,8 +222,7 @@ vtkOITFailure vtkOITMultiLayerPeeler::Peel(const vtkOITPeelContext& context, int
       failure = this->RenderGeometry(context);
       break;
     case Access::Interlock:
-      // Images instead of colour buffers; the depth test is the same. With another framebuffer, as
-      // VTK checks that the first colour of its own choice is drawn into.
+      // Images instead of colours; the depth test is the same. VTK checks the draw buffer.
       failure = context.State.BindForGather(this->ImageFramebuffer, {}, [] {});
       if (failure)
       {
