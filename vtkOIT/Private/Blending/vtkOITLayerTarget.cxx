@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Blending/vtkOITLayerTarget.h"
 
+#include "Private/Frame/vtkOITCapabilities.h"
 #include "Private/GL/vtkOITOutput.h"
 #include "Private/GL/vtkOITShaderText.h"
 #include "Private/GL/vtkOITSharedDepth.h"
@@ -92,10 +93,11 @@ vtkOITFailure vtkOITLayerTarget::BeginBeside(
 }
 
 //------------------------------------------------------------------------------
-// What the driver has refused is not tried again.
+// What the driver has refused is not tried again, and what its compiler would refuse not at all:
+// Mesa 26.1 crashes when VTK links it all the same.
 vtkOITFailure vtkOITLayerTarget::BindBeside(const vtkOITFrame& frame)
 {
-  if (!this->BesideWorks || frame.Target.Framebuffer == 0)
+  if (!this->BesideWorks || frame.Target.Framebuffer == 0 || !frame.Capabilities->LayerBeside)
   {
     return vtkOITRefuseFramebuffer();
   }

@@ -122,6 +122,7 @@ vtkOITCapabilities::vtkOITCapabilities(vtkOpenGLRenderWindow* window)
   this->FragmentInterlock = has("GL_ARB_fragment_shader_interlock");
   this->TextureBarrier = has("GL_ARB_texture_barrier");
   this->FramebufferFetch = has("GL_EXT_shader_framebuffer_fetch");
+  this->LayerBeside = has("GL_ARB_explicit_attrib_location") && has("GL_ARB_shader_bit_encoding");
   this->SampleShading = has("GL_ARB_sample_shading");
   this->PostDepthCoverage = has("GL_ARB_post_depth_coverage");
   this->Memory = FindMemory(extensions);

@@ -40,6 +40,9 @@ public:
   bool TextureBarrier = false;
   /// EXT_shader_framebuffer_fetch: a fragment shader reads what the colour buffer holds.
   bool FramebufferFetch = false;
+  /// ARB_explicit_attrib_location, ARB_shader_bit_encoding: a fragment shader can have a layer of the
+  /// pixel beside what it draws.
+  bool LayerBeside = false;
   /// ARB_sample_shading: a shader runs for each sample of a pixel.
   bool SampleShading = false;
   /// ARB_post_depth_coverage: gl_SampleMaskIn holds only the samples that passed the depth test.
