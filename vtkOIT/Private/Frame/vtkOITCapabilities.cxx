@@ -110,8 +110,9 @@ vtkOITCapabilities::vtkOITCapabilities(vtkOpenGLRenderWindow* window)
       "GL_ARB_shading_language_420pack", "GL_ARB_gpu_shader5", "GL_ARB_texture_storage",
       "GL_ARB_clear_texture" },
     "; use a driver with OpenGL 4.4 or Mesa's llvmpipe");
-  this->MissingForPeeling = FindMissing(extensions, { "GL_ARB_explicit_attrib_location" },
-    "; use a driver with OpenGL 3.3 or Mesa's llvmpipe");
+  this->MissingForPeeling =
+    FindMissing(extensions, { "GL_ARB_explicit_attrib_location", "GL_ARB_shader_bit_encoding" },
+      "; use a driver with OpenGL 3.3 or Mesa's llvmpipe");
   if (!CountsSamples())
   {
     this->MissingForCounting =
