@@ -4,7 +4,7 @@
 // One pixel of a tile has more fragments than all others, or needs more than the first try because
 // its fragments coincide, at each place that it can have in a tile: it must be noticed, and drawn,
 // in every frame that starts from what the last one had. Tiles are drawn as two triangles, and one
-// pixel of four notes what the tile still needs; so the diagonal is another case. The other pixels,
+// pixel of two notes what the tile still needs; so the diagonal is another case. The other pixels,
 // which the first try has drawn, are not drawn twice.
 
 #include "Oracle/ReferenceCompositor.h"

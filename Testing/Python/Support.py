@@ -38,11 +38,11 @@ def bare_environment():
                             "VTK_DEFAULT_OPENGL_WINDOW")}
 
 
-def run(*arguments, cwd=None, name="vtkoit", **variables):
+def run(*arguments, cwd=None, name="vtkoit", timeout=None, **variables):
     """Runs bin/NAME with the arguments and environment variables; the subprocess.CompletedProcess
-    with text."""
+    with text. timeout: float, seconds after which it is ended by an exception."""
     return subprocess.run([program(name), *arguments], cwd=cwd, env={**bare_environment(), **variables},
-                          stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+                          stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False, timeout=timeout)
 
 
 class FolderTest(unittest.TestCase):

@@ -10,7 +10,6 @@ Mesa hides extensions and versions for this (MESA_EXTENSION_OVERRIDE, MESA_GL_VE
 """
 
 import json
-import subprocess
 import sys
 import unittest
 
@@ -43,13 +42,10 @@ VERSIONS = {"3.2": "150", "3.3": "330", "4.0": "400", "4.1": "410", "4.2": "420"
 
 def find_faults(hidden=(), version=None, methods=METHODS):
     """(what is wrong, list of str; the context as KnownScenes.py prints it, None without one)."""
-    environment = Support.bare_environment()
-    environment["MESA_EXTENSION_OVERRIDE"] = " ".join("-" + name for name in hidden)
+    variables = {"MESA_EXTENSION_OVERRIDE": " ".join("-" + name for name in hidden)}
     if version:
-        environment["MESA_GL_VERSION_OVERRIDE"] = version
-        environment["MESA_GLSL_VERSION_OVERRIDE"] = VERSIONS[version]
-    done = subprocess.run([Support.program("vtkoit-python"), SCENES, *methods], env=environment,
-                          capture_output=True, text=True, check=False, timeout=300)
+        variables.update(MESA_GL_VERSION_OVERRIDE=version, MESA_GLSL_VERSION_OVERRIDE=VERSIONS[version])
+    done = Support.run(SCENES, *methods, name="vtkoit-python", timeout=300, **variables)
     lines = [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
     faults = ["%(method)s, %(scene)s, by %(by)s: %(fault)s" % line for line in lines[1:] if line["fault"]]
     if not lines:

@@ -58,10 +58,8 @@ class TestReferenceCompiler(Support.FolderTest):
         os.mkdir(folder)
         with open(self.path("script.py"), "w", encoding="ascii") as file:
             file.write(DRAW % sys.path[0])
-        environment = {**Support.bare_environment(), "MESA_SHADER_DUMP_PATH": folder, "MESA_SHADER_CACHE_DISABLE": "true",
-                       "VTKOIT_HIDE_EXTENSIONS": "GL_EXT_shader_framebuffer_fetch"}
-        done = subprocess.run([Support.program("vtkoit-python"), self.path("script.py")], env=environment, check=False,
-                              capture_output=True, text=True)
+        done = Support.run(self.path("script.py"), name="vtkoit-python", MESA_SHADER_DUMP_PATH=folder,
+                           MESA_SHADER_CACHE_DISABLE="true", VTKOIT_HIDE_EXTENSIONS="GL_EXT_shader_framebuffer_fetch")
         self.assertEqual(done.returncode, 0, done.stderr)
         texts = {}
         for name in os.listdir(folder):

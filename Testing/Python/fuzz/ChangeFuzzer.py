@@ -65,7 +65,11 @@ def run(case, method=None):
     """(what is wrong, str; frames by name; description of the scene then; counts). method: str, to see
     whether another one, or VTK alone, does the same."""
     scene = copy.deepcopy(case["scene"])
-    stage = Stage(scene, method or scene["method"], scene["values"] if not method else {})
+
+    def make_stage():
+        return Stage(scene, method or scene["method"], scene["values"] if not method else {})
+
+    stage = make_stage()
     stage.fixed = bool(method)
     counts = {"changes": 0, "compared": 0}
     try:
@@ -75,7 +79,7 @@ def run(case, method=None):
                 apply(name, seed, scene, stage)
                 counts["changes"] += 1
             frames = [stage.draw() for _ in range(step["frames"])]
-            new = Stage(scene, method or scene["method"], scene["values"] if not method else {})
+            new = make_stage()
             fresh = new.draw()
             new.close()
             allowed = 1 if scene["method"] == "auto" and not method else 0

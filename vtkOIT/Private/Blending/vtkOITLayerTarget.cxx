@@ -97,7 +97,8 @@ vtkOITFailure vtkOITLayerTarget::BeginBeside(
 // Mesa 26.1 crashes when VTK links it all the same.
 vtkOITFailure vtkOITLayerTarget::BindBeside(const vtkOITFrame& frame)
 {
-  if (!this->BesideWorks || frame.Target.Framebuffer == 0 || !frame.Capabilities->LayerBeside)
+  if (!this->BesideWorks || frame.Target.Framebuffer == 0 ||
+    !frame.Capabilities->GetMissingForPeeling().empty())
   {
     return vtkOITRefuseFramebuffer();
   }

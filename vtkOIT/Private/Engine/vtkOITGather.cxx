@@ -42,18 +42,17 @@ bool HasOtherPasses(const vtkRenderState* state)
 /// which assemblies do to their parts.
 void AddTo(const vtkRenderState* state, vtkOpenGLRenderPass* pass)
 {
+  vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
   vtkProp** first = state->GetPropArray();
-  std::for_each(first, first + state->GetPropArrayCount(),
-    [pass](vtkProp* prop)
+  for (vtkProp** prop = first; prop != first + state->GetPropArrayCount(); ++prop)
+  {
+    if (!(*prop)->GetPropertyKeys())
     {
-      if (!prop->GetPropertyKeys())
-      {
-        prop->SetPropertyKeys(vtkNew<vtkInformation>());
-      }
-      vtkInformation* keys = prop->GetPropertyKeys();
-      vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
-      keys->Set(passes, pass, keys->Length(passes));
-    });
+      (*prop)->SetPropertyKeys(vtkNew<vtkInformation>());
+    }
+    vtkInformation* keys = (*prop)->GetPropertyKeys();
+    keys->Set(passes, pass, keys->Length(passes));
+  }
 }
 
 /// Takes the pass away from those, wherever it still is.
@@ -64,18 +63,19 @@ void RemoveFrom(const vtkRenderState* state, vtkOpenGLRenderPass* pass)
   for (vtkProp** prop = first; prop != first + state->GetPropArrayCount(); ++prop)
   {
     vtkInformation* keys = (*prop)->GetPropertyKeys();
+    if (!keys)
+    {
+      continue;
+    }
     std::vector<vtkSmartPointer<vtkObjectBase>> others;
-    for (int i = 0; keys && i < keys->Length(passes); ++i)
+    for (int i = 0; i < keys->Length(passes); ++i)
     {
       if (keys->Get(passes, i) != pass)
       {
         others.emplace_back(keys->Get(passes, i));
       }
     }
-    if (keys)
-    {
-      keys->Remove(passes);
-    }
+    keys->Remove(passes);
     for (std::size_t i = 0; i < others.size(); ++i)
     {
       keys->Set(passes, others[i], static_cast<int>(i));

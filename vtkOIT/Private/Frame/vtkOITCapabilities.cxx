@@ -3,6 +3,7 @@
 #include "Private/Frame/vtkOITCapabilities.h"
 
 #include "Private/Frame/vtkOITCompatibility.h"
+#include "Private/Frame/vtkOITGetInteger.h"
 #include "vtkOpenGLRenderWindow.h"
 
 #include <vtksys/SystemInformation.hxx>
@@ -77,14 +78,6 @@ std::int64_t FindMemory(const std::set<std::string>& extensions)
   return static_cast<std::int64_t>(machine.GetTotalPhysicalMemory()) * 1024 * 1024; // from MiB
 }
 
-/// A context may have occlusion queries whose counters have no bits.
-bool CountsSamples()
-{
-  GLint bits = 0;
-  glGetQueryiv(GL_SAMPLES_PASSED, GL_QUERY_COUNTER_BITS, &bits);
-  return bits > 0;
-}
-
 std::int64_t GetInteger64(GLenum name)
 {
   GLint64 value = 0;
@@ -113,7 +106,8 @@ vtkOITCapabilities::vtkOITCapabilities(vtkOpenGLRenderWindow* window)
   this->MissingForPeeling =
     FindMissing(extensions, { "GL_ARB_explicit_attrib_location", "GL_ARB_shader_bit_encoding" },
       "; use a driver with OpenGL 3.3 or Mesa's llvmpipe");
-  if (!CountsSamples())
+  // A context may have occlusion queries whose counters have no bits.
+  if (vtkOITGetQueryInteger(GL_SAMPLES_PASSED, GL_QUERY_COUNTER_BITS) == 0)
   {
     this->MissingForCounting =
       "this context counts no samples (GL_ARB_occlusion_query2), and by such counts peeling ends; "
@@ -123,7 +117,6 @@ vtkOITCapabilities::vtkOITCapabilities(vtkOpenGLRenderWindow* window)
   this->FragmentInterlock = has("GL_ARB_fragment_shader_interlock");
   this->TextureBarrier = has("GL_ARB_texture_barrier");
   this->FramebufferFetch = has("GL_EXT_shader_framebuffer_fetch");
-  this->LayerBeside = has("GL_ARB_explicit_attrib_location") && has("GL_ARB_shader_bit_encoding");
   this->SampleShading = has("GL_ARB_sample_shading");
   this->PostDepthCoverage = has("GL_ARB_post_depth_coverage");
   this->FineDerivatives = has("GL_ARB_derivative_control");

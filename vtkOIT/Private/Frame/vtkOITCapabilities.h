@@ -26,7 +26,7 @@ public:
   /// Empty, or one line: the GL version and the first extension that is missing for storage.
   const std::string& GetMissingForStorage() const { return this->MissingForStorage; }
 
-  /// Empty, or one line: what is missing to draw into several float buffers with blending.
+  /// Empty, or one line: what is missing to draw into several buffers, with the bits of floats in some.
   const std::string& GetMissingForPeeling() const { return this->MissingForPeeling; }
 
   /// Empty, or one line: samples that pass are not counted.
@@ -40,9 +40,6 @@ public:
   bool TextureBarrier = false;
   /// EXT_shader_framebuffer_fetch: a fragment shader reads what the colour buffer holds.
   bool FramebufferFetch = false;
-  /// ARB_explicit_attrib_location, ARB_shader_bit_encoding: a fragment shader can have a layer of the
-  /// pixel beside what it draws.
-  bool LayerBeside = false;
   /// ARB_sample_shading: a shader runs for each sample of a pixel.
   bool SampleShading = false;
   /// ARB_post_depth_coverage: gl_SampleMaskIn holds only the samples that passed the depth test.

@@ -21,4 +21,12 @@ inline GLint vtkOITGetInteger(GLenum name, int index)
   return value;
 }
 
+/// What a context says of a kind of query; 0 where it does not know the name.
+inline GLint vtkOITGetQueryInteger(GLenum kind, GLenum name)
+{
+  GLint value = 0;
+  glGetQueryiv(kind, name, &value);
+  return value;
+}
+
 #endif

@@ -2,20 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/GL/vtkOITOcclusionQueries.h"
 
-namespace
-{
-GLint AskOfSamples(GLenum name)
-{
-  GLint value = 0; // what a context leaves there that does not know the name
-  glGetQueryiv(GL_SAMPLES_PASSED, name, &value);
-  return value;
-}
-}
+#include "Private/Frame/vtkOITGetInteger.h"
 
 //------------------------------------------------------------------------------
 bool vtkOITOcclusionQueries::CanCount()
 {
-  return AskOfSamples(GL_QUERY_COUNTER_BITS) > 0 && AskOfSamples(GL_CURRENT_QUERY) == 0;
+  return vtkOITGetQueryInteger(GL_SAMPLES_PASSED, GL_QUERY_COUNTER_BITS) > 0 &&
+    vtkOITGetQueryInteger(GL_SAMPLES_PASSED, GL_CURRENT_QUERY) == 0;
 }
 
 //------------------------------------------------------------------------------
