@@ -4,6 +4,7 @@
 // Installing a pass in a renderer that exists, replacing it, and giving the renderer back.
 
 #include "Oracle/ReferenceCompositor.h"
+#include "Rig/GLMessages.h"
 #include "Rig/Rig.h"
 #include "Scenes/Random.h"
 
@@ -61,7 +62,13 @@ void CheckCycle(Report& report, const Setup& setup)
     const std::string what = usePeeling ? "with peeling" : "without peeling";
     rig.Renderer->SetUseDepthPeeling(usePeeling);
     rig.Renderer->SetMaximumNumberOfPeels(2);
-    const Image before = rig.Render();
+    // By VTK's own pass, which blits the depth of this target into one of another format.
+    const auto renderWithout = [&rig]
+    {
+      const GLMessages::Pause pause;
+      return rig.Render();
+    };
+    const Image before = renderWithout();
 
     report.Check(vtkOITRendererHook::Install(rig.Renderer, rig.Pass), what + ": not installed");
     report.Check(
@@ -84,7 +91,7 @@ void CheckCycle(Report& report, const Setup& setup)
     report.Check(rig.Renderer->GetUseDepthPeeling() == usePeeling, what + ": peeling changed");
     report.Check(rig.Renderer->GetMaximumNumberOfPeels() == 2, what + ": peels changed");
     report.Check(other->GetBufferSizeInBytes() == 0, what + ": buffers are left behind");
-    report.CompareBits(what + ": picture after uninstalling", rig.Render(), before);
+    report.CompareBits(what + ": picture after uninstalling", renderWithout(), before);
   }
 
   // The window goes away while a pass is installed, and the pass outlives it.
