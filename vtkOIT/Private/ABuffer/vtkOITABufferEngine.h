@@ -14,6 +14,7 @@
 #include "Private/GL/vtkOITDepthCopy.h"
 
 class vtkFloatArray;
+class vtkProp;
 
 /// The A-buffer: see vtkOITABufferPass.
 class vtkOITABufferEngine : public vtkOITEngine
@@ -24,6 +25,7 @@ public:
     const vtkOITCapabilities& capabilities, const vtkOITSettings& settings) const override;
   std::string FindMissingIn(const vtkOITFrame& frame) const override;
   bool UsesStorage(const vtkOITCapabilities&, const vtkOITSettings&) const override { return true; }
+  bool SortsLight() const override { return true; }
   vtkOITFailure Draw(const vtkOITFrame& frame, const vtkOITSettings& settings,
     vtkOITGeometry& geometry, vtkOITStatistics& statistics) override;
   std::int64_t GetSizeInBytes() const override;
@@ -44,7 +46,7 @@ private:
   vtkOITFailure DrawBand(const Task& task, std::int64_t& needed);
   vtkOITFailure Capture(const Task& task);
   vtkOITFailure BeginBand(const Task& task);
-  void SetUniforms(const Task& task, vtkShaderProgram* program);
+  void SetUniforms(const Task& task, vtkShaderProgram* program, vtkProp* prop);
   void AddStatistics(const Task& task, const vtkOITFragmentStore::Counters& counters);
 
   vtkOITFragmentStore Store;
@@ -57,6 +59,7 @@ private:
   vtkOITBands Bands;
 
   vtkOITRectangle Band;
+  int NumberOfDraws = 0; // in this geometry pass
   bool HasDepthCopy = false;
   vtkOITFailure DepthCopyFailure;
   bool HasSolidDepth = false; // Gather tests against it instead of the framebuffer's

@@ -42,6 +42,11 @@ public:
   virtual vtkOITFailure Draw(const vtkOITFrame& frame, const vtkOITSettings& settings,
     vtkOITGeometry& geometry, vtkOITStatistics& statistics) = 0;
 
+  /// Whether props that add light get their place among the others (vtkOITFrame::HasLight).
+  virtual bool SortsLight() const { return false; }
+  /// Whether it approximates, so that nobody wants another method in its place.
+  virtual bool IsPreview() const { return false; }
+
   /// What it holds on the context.
   virtual std::int64_t GetSizeInBytes() const = 0;
   virtual void Release() = 0;

@@ -72,6 +72,19 @@ std::string vtkOITSorters::FindMissing(
 }
 
 //------------------------------------------------------------------------------
+bool vtkOITSorters::SortsLight(const vtkOITFrame& frame, const vtkOITSettings& settings)
+{
+  bool sorts = false;
+  for (int which = 0; which < Count && !(this->Own && this->Own->IsPreview()); ++which)
+  {
+    const vtkOITEngine* engine = this->Get(which);
+    sorts = sorts ||
+      (engine && engine->SortsLight() && FindMissingOf(*engine, frame, settings).empty());
+  }
+  return sorts;
+}
+
+//------------------------------------------------------------------------------
 void vtkOITSorters::Draw(const vtkOITFrame& frame, const vtkOITSettings& settings,
   vtkOITGeometry& geometry, vtkOITSavedState& saved, vtkOITStatistics& statistics)
 {

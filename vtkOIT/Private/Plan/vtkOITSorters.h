@@ -36,6 +36,10 @@ public:
   /// only, when there is one.
   std::string FindMissing(const vtkOITCapabilities& capabilities, const vtkOITSettings& settings);
 
+  /// Whether one of them can sort props that add light in this frame, and may take the place of the
+  /// own one.
+  bool SortsLight(const vtkOITFrame& frame, const vtkOITSettings& settings);
+
   /// Draws the props inside of the frame's rectangle over its target. The statistics tell by which
   /// method, and why.
   void Draw(const vtkOITFrame& frame, const vtkOITSettings& settings, vtkOITGeometry& geometry,

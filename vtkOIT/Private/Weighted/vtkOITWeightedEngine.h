@@ -21,6 +21,7 @@ public:
   std::string FindMissing(
     const vtkOITCapabilities& capabilities, const vtkOITSettings& settings) const override;
   std::string FindMissingIn(const vtkOITFrame& frame) const override;
+  bool IsPreview() const override { return true; }
   vtkOITFailure Draw(const vtkOITFrame& frame, const vtkOITSettings& settings,
     vtkOITGeometry& geometry, vtkOITStatistics& statistics) override;
   std::int64_t GetSizeInBytes() const override;
