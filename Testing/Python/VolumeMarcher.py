@@ -40,11 +40,10 @@ def side_directions(normal):
     return first, numpy.cross(normal, first)
 
 
-def picture(camera, size, cloud, surfaces, background=(0, 0, 0), opaque=(), samples=400):
-    """(colour, alpha, certain): array, height x width x 3, top row first; alpha of what is drawn, height x width; and bool array,
-    height x width, False where the outline of a surface, or a line where two of them cross, is in a pixel or beside it.
+def picture(camera, size, cloud, surfaces, background=(0, 0, 0, 1), opaque=(), samples=400):
+    """(pixels, certain): array, height x width x 4, premultiplied, top row first; and bool array, height x width, False where the outline of a surface, or a line where two of them cross, is in a pixel or beside it.
 
-    size: (width, height). cloud: Cloud or None. surfaces, opaque: lists of Square or Ball; opacities of the latter do not
+    size: (width, height). cloud: Cloud or None. background: (r, g, b, a), premultiplied. surfaces, opaque: lists of Square or Ball; opacities of the latter do not
     count. samples: int, of a ray between one surface and the next.
     """
     start, direction, first, last = _rays(camera, size)
@@ -59,7 +58,7 @@ def picture(camera, size, cloud, surfaces, background=(0, 0, 0), opaque=(), samp
     depths = numpy.take_along_axis(depths, order, axis=0)
     opacities = numpy.take_along_axis(opacities, order, axis=0)
     colors = numpy.take_along_axis(colors, order[..., None], axis=0)
-    color, transmittance = numpy.zeros((number, 3)), numpy.ones(number)
+    color, transmittance = numpy.zeros((number, 4)), numpy.ones(number)
     end = numpy.minimum(closest, last)
     here = first
     for i in range(len(depths) + 1):
@@ -71,11 +70,10 @@ def picture(camera, size, cloud, surfaces, background=(0, 0, 0), opaque=(), samp
             color = color + (transmittance * share)[:, None] * colors[i]
             transmittance = transmittance * (1.0 - share)
             here = numpy.where(numpy.isfinite(depths[i]), depths[i], end)
-    alpha = 1.0 - transmittance * ~numpy.isfinite(closest)
     color = color + transmittance[:, None] * behind
     shape = (size[1], size[0])
     certain = _certain([*faces, *opaque_faces, *before], shape)
-    return color.reshape(*shape, 3), alpha.reshape(shape), certain
+    return color.reshape(*shape, 4), certain
 
 
 def _rays(camera, size):
@@ -111,10 +109,10 @@ def _hits(start, direction, surfaces, first, last):
             distance = numpy.where((distance >= first) & (distance <= last), distance, numpy.inf)
             depths.append(distance)
             faces.append(numpy.isfinite(distance))
-            colors.append(numpy.broadcast_to(numpy.array(surface.color, dtype=float), direction.shape))
+            colors.append(numpy.tile([*map(float, surface.color), 1.0], (len(direction), 1)))
             opacities.append(numpy.full(len(direction), float(surface.opacity)))
     number = len(direction)
-    return (numpy.array(depths).reshape(-1, number), numpy.array(colors).reshape(-1, number, 3),
+    return (numpy.array(depths).reshape(-1, number), numpy.array(colors).reshape(-1, number, 4),
             numpy.array(opacities).reshape(-1, number), numpy.array(faces, dtype=bool).reshape(-1, number))
 
 
@@ -138,7 +136,7 @@ def _closest(start, direction, opaque, first, last, background):
     """(distance, colour, faces) of the first opaque surface; inf and the background for none."""
     depths, colors, _, faces = _hits(start, direction, [*opaque], first, last)
     closest = numpy.full(len(direction), numpy.inf)
-    behind = numpy.broadcast_to(numpy.array(background, dtype=float), direction.shape)
+    behind = numpy.tile(numpy.array(background, dtype=float), (len(direction), 1))
     for depth, color in zip(depths, colors):
         behind = numpy.where((depth < closest)[:, None], color, behind)
         closest = numpy.minimum(closest, depth)
@@ -158,14 +156,15 @@ def _march(cloud, start, direction, begin, end, color, transmittance, samples):
     if not len(crossed):
         return color, transmittance
     color, transmittance = color.copy(), transmittance.copy()
-    part, left = numpy.zeros((len(crossed), 3)), transmittance[crossed].copy()
+    part, left = numpy.zeros((len(crossed), 4)), transmittance[crossed].copy()
     step = length[crossed] / samples
     for i in range(samples):
         place = start[crossed] + (enter[crossed] + (i + 0.5) * step)[:, None] * direction[crossed]
         value = _interpolate(cloud, place)
         opacity = numpy.interp(value, *numpy.array(cloud.opacity, dtype=float).T)
         points = numpy.array(cloud.color, dtype=float).T
-        there = numpy.stack([numpy.interp(value, points[0], points[1 + c]) for c in range(3)], axis=1)
+        there = [numpy.interp(value, points[0], points[1 + c]) for c in range(3)]
+        there = numpy.stack([*there, numpy.ones(len(value))], axis=1)
         through = (1.0 - opacity) ** (step / cloud.unit)
         part += (left * (1.0 - through))[:, None] * there
         left *= through

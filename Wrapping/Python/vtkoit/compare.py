@@ -43,7 +43,8 @@ def run(arguments, progress):
         return renderer
 
     name = printable(os.path.basename(os.path.normpath(arguments.inputs[0])))
-    stage = SurfaceStage(name, contents.count(drawn), make_renderer, drawn, options.size)
+    stage = SurfaceStage(name, contents.count(drawn), make_renderer, drawn.surfaces, options.size,
+                         drawn.volumes)
     progress.begin("%s: truth" % name)
     right = truth.find(stage)._asdict()
     results = []
