@@ -145,14 +145,14 @@ def actor_of(volume, colormap, limits=None, distance=None):
     """A new vtkVolume for a Volume. colormap: str. limits: (low, high), the values at the colour map's two
     ends, or None for those that are seen. distance: float, between samples along a ray, or None for
     SAMPLES_PER_VOXEL."""
-    # Its import registers the mappers of OpenGL.
-    from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkSmartVolumeMapper
+    import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401, registers the mapper of OpenGL
+    from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
 
-    mapper = vtkSmartVolumeMapper()
+    # Not a vtkSmartVolumeMapper, which takes samples as far apart as it likes.
+    mapper = vtkGPUVolumeRayCastMapper()
     mapper.SetInputData(volume.data)
     mapper.SetBlendModeToComposite()
     mapper.SetAutoAdjustSampleDistances(False)
-    mapper.SetInteractiveAdjustSampleDistances(False)
     mapper.SetSampleDistance(distance or min(volume.data.GetSpacing()) / SAMPLES_PER_VOXEL)
     material = vtkVolumeProperty()
     material.SetScalarOpacity(_opacity_function(volume))
