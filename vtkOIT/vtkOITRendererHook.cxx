@@ -28,15 +28,9 @@ public:
 
   void Render(const vtkRenderState* state) override
   {
-    this->Pass->Render(state);
+    // With UseDepthPeelingForVolumes the renderer leaves volumes to this pass.
+    this->Pass->RenderWithVolumes(state, this->GetVolumetricPass());
     this->NumberOfRenderedProps = this->Pass->GetNumberOfRenderedProps();
-    // With UseDepthPeelingForVolumes the renderer leaves volumes to this pass. They are composited
-    // over the translucent geometry, as without that setting.
-    if (vtkRenderPass* volumes = this->GetVolumetricPass())
-    {
-      volumes->Render(state);
-      this->NumberOfRenderedProps += volumes->GetNumberOfRenderedProps();
-    }
   }
 
   void ReleaseGraphicsResources(vtkWindow* window) override
@@ -62,6 +56,7 @@ public:
   std::set<std::string> Warnings;          // that were printed
   vtkDepthPeelingPass* Previous = nullptr; // what the renderer owned before
   bool PreviousUseDepthPeeling = false;
+  bool PreviousUseDepthPeelingForVolumes = false;
 
 protected:
   std::string FindObstacle();
@@ -171,6 +166,8 @@ bool vtkOITRendererHook::Install(vtkRenderer* renderer, vtkOITPass* pass)
     adapter = Adapter::New(); // owned by the renderer, which calls Delete()
     adapter->Previous = Access::Slot(glRenderer);
     adapter->PreviousUseDepthPeeling = renderer->GetUseDepthPeeling() != 0;
+    adapter->PreviousUseDepthPeelingForVolumes = renderer->GetUseDepthPeelingForVolumes();
+    renderer->UseDepthPeelingForVolumesOn();
     adapter->Renderer = renderer;
     adapter->Observers[0] = renderer->AddObserver(vtkCommand::StartEvent, adapter, &Adapter::Begin);
     adapter->Observers[1] = renderer->AddObserver(vtkCommand::EndEvent, adapter, &Adapter::End);
@@ -207,6 +204,7 @@ bool vtkOITRendererHook::Uninstall(vtkRenderer* renderer)
   }
   adapter->Chain.GiveBack();
   renderer->SetUseDepthPeeling(adapter->PreviousUseDepthPeeling);
+  renderer->SetUseDepthPeelingForVolumes(adapter->PreviousUseDepthPeelingForVolumes);
   Access::Slot(vtkOpenGLRenderer::SafeDownCast(renderer)) = adapter->Previous;
   adapter->Previous = nullptr;
   adapter->Delete();

@@ -24,11 +24,14 @@ struct vtkOITABufferShaders
   bool HeadInTarget = false;
   bool ClampColor = false;
   bool FineDerivatives = false;
+  bool Volumes = false; // rays of volumes walk the lists
 
   bool operator==(const vtkOITABufferShaders& other) const;
 
   /// A node takes two texels instead of one.
   bool HasWideNodes() const { return this->FloatColor || this->Samples > 0; }
+  /// All lists are sorted in memory, not only those that networks in registers leave.
+  bool SortsAll() const { return this->Volumes || this->Samples > 0; }
   int GetBytesPerNode() const { return this->HasWideNodes() ? 32 : 16; }
 
   /// The stage on fragments of props.
@@ -40,8 +43,11 @@ struct vtkOITABufferShaders
   std::string GetCount() const;
   std::string GetResolve(int networkSize) const;
   std::string GetSecondChance() const;
-  std::string GetSort() const;
+  /// `runSize`: fragments of the runs that it starts from, OIT_RUN_SIZE or the length of short lists.
+  std::string GetSort(int runSize) const;
   std::string GetComposite() const;
+  /// Of a volume mapper, to which March was added (vtkOITVolumeText).
+  std::string GetVolume(const std::string& mapperShader) const;
   ///@}
 
   /// Fragments of a pixel that the sorting networks in registers take, ascending. Larger ones than

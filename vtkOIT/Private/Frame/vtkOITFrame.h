@@ -10,6 +10,7 @@
 #include <vector>
 
 class vtkOITCapabilities;
+class vtkOITVolumes;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLState;
 class vtkProp;
@@ -33,6 +34,8 @@ struct vtkOITFrame
   /// The translucent props, and the extent of each.
   std::vector<vtkProp*> Props;
   std::vector<vtkOITScreenExtent> Extents;
+  /// Those that lie between the props; nullptr without.
+  vtkOITVolumes* Volumes = nullptr;
   /// The only pixels that may be drawn to.
   vtkOITRectangle Rectangle;
 

@@ -52,6 +52,12 @@ void main()
   uint node = imageLoad(oitHeads, ivec2(gl_FragCoord.xy) - oitOrigin).x;
 #if OIT_SAMPLES > 0
   bool isMine = node != OIT_END;
+#ifdef OIT_VOLUMES
+  uint taken = oitLoad(OIT_WORD(node)).z; // samples in which a volume's ray was here
+  isMine = isMine && ((taken >> uint(gl_SampleID)) & 1u) == 0u;
+#endif
+#elif defined(OIT_VOLUMES)
+  bool isMine = node != OIT_END && (node & OIT_LEFT) == 0u; // marked: a volume's ray was here
 #else
   bool isMine = (node & OIT_LEFT) != 0u;
   node &= ~OIT_LEFT;
