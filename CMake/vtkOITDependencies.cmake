@@ -14,7 +14,9 @@ set(vtkoit_vtk_components
   CommonExecutionModel
   RenderingCore
   RenderingOpenGL2
-  RenderingUI)
+  RenderingUI
+  RenderingVolume
+  RenderingVolumeOpenGL2)
 set(vtkoit_vtk_test_components
   FiltersCore
   FiltersExtraction
@@ -31,8 +33,6 @@ set(vtkoit_vtk_test_components
   InteractionStyle
   RenderingAnnotation
   RenderingFreeType
-  RenderingVolume
-  RenderingVolumeOpenGL2
   TestingCore
   TestingRendering)
 

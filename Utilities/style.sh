@@ -76,9 +76,10 @@ floor()
     Frame | Hook) echo 1 ;;
     GL) echo 2 ;;
     Engine) echo 3 ;;
-    ABuffer | Blending | Peeling | Weighted) echo 4 ;;
-    Plan) echo 5 ;;
-    Auto) echo 6 ;;
+    Volume) echo 4 ;;
+    ABuffer | Blending | Peeling | Weighted) echo 5 ;;
+    Plan) echo 6 ;;
+    Auto) echo 7 ;;
     *) echo 0 ;;
   esac
 }

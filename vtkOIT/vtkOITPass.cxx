@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITPass.h"
 
+#include "Private/Auto/vtkOITVolumeOrder.h"
 #include "Private/Engine/vtkOITDelegate.h"
 #include "Private/Engine/vtkOITEngine.h"
 #include "Private/Frame/vtkOITCapabilities.h"
@@ -14,6 +15,7 @@
 #include "Private/Plan/vtkOITHookTrial.h"
 #include "Private/Plan/vtkOITPlan.h"
 #include "Private/Plan/vtkOITPlanRunner.h"
+#include "Private/Volume/vtkOITVolumes.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderState.h"
@@ -80,6 +82,7 @@ void vtkOITPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "TranslucentPass: " << this->TranslucentPass.Get() << "\n"
+     << indent << "VolumetricPass: " << this->VolumetricPass.Get() << "\n"
      << indent << "TransmittanceThreshold: " << this->TransmittanceThreshold << "\n"
      << indent << "MaximumNumberOfPeels: " << this->MaximumNumberOfPeels << "\n"
      << indent << "OcclusionRatio: " << this->OcclusionRatio << "\n"
@@ -126,7 +129,14 @@ vtkOITPlan vtkOITPass::MakePlan(const vtkOITFrame& frame, const vtkOITSettings&)
 //------------------------------------------------------------------------------
 void vtkOITPass::Render(const vtkRenderState* state)
 {
+  this->RenderWithVolumes(state, this->VolumetricPass);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPass::RenderWithVolumes(const vtkRenderState* state, vtkRenderPass* volumetricPass)
+{
   this->ResetStatistics();
+  vtkOITVolumes volumes(volumetricPass, state);
   if (!this->TranslucentPass)
   {
     vtkErrorMacro("No TranslucentPass is set; give one with SetTranslucentPass(), e.g. a "
@@ -137,7 +147,9 @@ void vtkOITPass::Render(const vtkRenderState* state)
   {
     // A selector draws identifiers, not colours: nothing to sort.
     this->TranslucentPass->Render(state);
-    this->NumberOfRenderedProps = this->TranslucentPass->GetNumberOfRenderedProps();
+    volumes.DrawAfter();
+    this->NumberOfRenderedProps =
+      this->TranslucentPass->GetNumberOfRenderedProps() + volumes.GetNumberOfRenderedProps();
     return;
   }
   if (Internals::IsDrawing)
@@ -146,6 +158,7 @@ void vtkOITPass::Render(const vtkRenderState* state)
                                    "props to its TranslucentPass. Take "
                                    "it out of the other one's chain";
     this->TranslucentPass->Render(state);
+    volumes.DrawAfter();
     this->Report();
     return;
   }
@@ -163,7 +176,7 @@ void vtkOITPass::Render(const vtkRenderState* state)
     this->NumberOfRenderedProps = delegate.GetNumberOfRenderedProps();
     if (!props.empty())
     {
-      this->Draw(state, std::move(props));
+      this->Draw(state, std::move(props), volumes);
     }
     if (!this->Impl->Unsorted.empty())
     {
@@ -173,11 +186,14 @@ void vtkOITPass::Render(const vtkRenderState* state)
       statistics.NoteError(1.0);
     }
   }
+  volumes.DrawAfter();
+  this->NumberOfRenderedProps += volumes.GetNumberOfRenderedProps();
   this->Report();
 }
 
 //------------------------------------------------------------------------------
-void vtkOITPass::Draw(const vtkRenderState* state, std::vector<vtkProp*> props)
+void vtkOITPass::Draw(
+  const vtkRenderState* state, std::vector<vtkProp*> props, vtkOITVolumes& volumes)
 {
   const Internals::Drawing drawing;
   vtkOITDelegate delegate(this->TranslucentPass, state);
@@ -189,7 +205,7 @@ void vtkOITPass::Draw(const vtkRenderState* state, std::vector<vtkProp*> props)
   frame.Target = vtkOITTarget::Query();
   frame.Props = std::move(props);
   vtkOITAllocation::TakeErrors();
-  const std::vector<vtkProp*> unhooked = this->DrawSorted(frame, delegate);
+  const std::vector<vtkProp*> unhooked = this->DrawSorted(frame, delegate, volumes);
   this->DrawBeside(delegate, unhooked,
     "Props that draw past VTK's render passes, or add light, are blended unsorted, such as a ");
   this->Impl->Statistics.NumberOfGeometryPasses = delegate.GetNumberOfPasses();
@@ -198,7 +214,8 @@ void vtkOITPass::Draw(const vtkRenderState* state, std::vector<vtkProp*> props)
 
 //------------------------------------------------------------------------------
 // Returns the props that cannot be sorted, and are not drawn.
-std::vector<vtkProp*> vtkOITPass::DrawSorted(vtkOITFrame& frame, vtkOITDelegate& delegate)
+std::vector<vtkProp*> vtkOITPass::DrawSorted(
+  vtkOITFrame& frame, vtkOITDelegate& delegate, vtkOITVolumes& volumes)
 {
   Internals& impl = *this->Impl;
   vtkOITSavedState saved(frame.GLState, frame.Target);
@@ -207,10 +224,29 @@ std::vector<vtkProp*> vtkOITPass::DrawSorted(vtkOITFrame& frame, vtkOITDelegate&
   std::vector<vtkProp*> unhooked = impl.HookTrial.TakeUnhooked(
     frame, delegate, [&] { return impl.Runner.GetSorters().SortsLight(frame, settings); });
   frame.Extents = vtkOITFindScreenExtents(frame.Renderer, frame.Props, frame.Viewport);
-  frame.Rectangle = vtkOITFindScreenRectangle(frame.Extents).Intersect(saved.GetDrawnRectangle());
+  const vtkOITVolumeOrder order(frame, volumes.GetAll());
+  volumes.SetOrder(order.Before, order.Between, order.After);
+  frame.Rectangle = vtkOITFindScreenRectangle(frame.Extents);
+  if (volumes.CanDraw() && !order.Between.empty())
+  {
+    frame.Volumes = &volumes;
+    frame.Rectangle = frame.Rectangle.Unite(order.Rectangle);
+  }
+  frame.Rectangle = frame.Rectangle.Intersect(saved.GetDrawnRectangle());
+  if (!order.Before.empty())
+  {
+    saved.SetAgain();
+    volumes.DrawBefore();
+    saved.SetNeutral();
+  }
   if (!frame.Rectangle.IsEmpty())
   {
     impl.Runner.Run(this->MakePlan(frame, settings), settings, delegate, saved, impl.Statistics);
+  }
+  const std::string doubt = order.FindDoubt(volumes.CanDraw());
+  if (!doubt.empty())
+  {
+    impl.Statistics.NoteWarning(doubt);
   }
   return unhooked;
 }
@@ -266,6 +302,10 @@ void vtkOITPass::Report()
 //------------------------------------------------------------------------------
 void vtkOITPass::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (this->VolumetricPass)
+  {
+    this->VolumetricPass->ReleaseGraphicsResources(window);
+  }
   if (this->TranslucentPass)
   {
     this->TranslucentPass->ReleaseGraphicsResources(window);

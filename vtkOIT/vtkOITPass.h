@@ -28,6 +28,10 @@
  * when they first appear. Emissive Gaussians add light: the A-buffer sorts them, so it takes the place
  * of peeling methods; without it, and by previews, their light is added over all others.
  *
+ * Volumes in the view are drawn in their order along each ray, before, between or behind the
+ * translucent props, where the pass may draw them: see VolumetricPass and docs/volumes.md. Drawn by
+ * somebody else over translucent props that they overlap, they make GetExact() false.
+ *
  * Opaque geometry must be in the bound framebuffer, with its depth, before Render() is called.
  *
  * @sa vtkOITABufferPass vtkOITRendererHook vtkOITPassFactory
@@ -47,6 +51,7 @@
 class vtkOITCapabilities;
 class vtkOITDelegate;
 class vtkOITEngine;
+class vtkOITVolumes;
 class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkWindow;
@@ -63,6 +68,11 @@ public:
 
   void Render(const vtkRenderState* state) override;
 
+  /// The same with another pass for the volumes than VolumetricPass, for this frame; nullptr when
+  /// somebody else draws them afterwards. For those who put the pass somewhere, as
+  /// vtkOITRendererHook does.
+  void RenderWithVolumes(const vtkRenderState* state, vtkRenderPass* volumetricPass);
+
   /// Frees what the pass holds on the window's context. Call it, or destroy the pass, before the
   /// window is destroyed; a renderer does so for the passes it was given.
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -72,6 +82,16 @@ public:
   ///@{
   virtual void SetTranslucentPass(vtkRenderPass* pass);
   vtkRenderPass* GetTranslucentPass();
+  ///@}
+
+  /// The delegate that draws the volumes, once, where they lie between, before or behind the
+  /// translucent props: for chains of passes, in the place of a volumetric pass of their own, e.g. a
+  /// vtkVolumetricPass. Default: nullptr, somebody else draws volumes over the translucent props.
+  /// vtkOITRendererHook does not use it: the renderer's UseDepthPeelingForVolumes decides. A
+  /// vtkOITPass is refused.
+  ///@{
+  virtual void SetVolumetricPass(vtkRenderPass* pass);
+  vtkRenderPass* GetVolumetricPass();
   ///@}
 
   /// Name of the algorithm, as in the literature, that drew the last frame: that of the subclass,
@@ -204,6 +224,7 @@ protected:
   bool IsNamedValue(const char* property, int value, int last, const char* names);
 
   vtkSmartPointer<vtkRenderPass> TranslucentPass;
+  vtkSmartPointer<vtkRenderPass> VolumetricPass;
   double TransmittanceThreshold = 1.0 / 512.0;
   int MaximumNumberOfPeels = 0;
   double OcclusionRatio = 0.0;
@@ -215,8 +236,10 @@ private:
   vtkOITPass(const vtkOITPass&) = delete;
   void operator=(const vtkOITPass&) = delete;
 
-  void Draw(const vtkRenderState* state, std::vector<vtkProp*> props);
-  std::vector<vtkProp*> DrawSorted(vtkOITFrame& frame, vtkOITDelegate& delegate);
+  void Draw(
+    const vtkRenderState* state, std::vector<vtkProp*> props, vtkOITVolumes& volumes);
+  std::vector<vtkProp*> DrawSorted(
+    vtkOITFrame& frame, vtkOITDelegate& delegate, vtkOITVolumes& volumes);
   void DrawBeside(
     vtkOITDelegate& delegate, const std::vector<vtkProp*>& props, const std::string& line);
   void DrawUnsorted(const vtkRenderState* state, const std::string& reason);

@@ -32,6 +32,29 @@ vtkRenderPass* vtkOITPass::GetTranslucentPass()
 }
 
 //------------------------------------------------------------------------------
+void vtkOITPass::SetVolumetricPass(vtkRenderPass* pass)
+{
+  if (vtkOITPass::SafeDownCast(pass))
+  {
+    vtkErrorMacro("A " << pass->GetClassName()
+                       << " is refused as VolumetricPass; give the pass that draws the volumes, e.g. "
+                          "a vtkVolumetricPass");
+    return;
+  }
+  if (this->VolumetricPass != pass)
+  {
+    this->VolumetricPass = pass;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRenderPass* vtkOITPass::GetVolumetricPass()
+{
+  return this->VolumetricPass;
+}
+
+//------------------------------------------------------------------------------
 // Not a number is in no range.
 bool vtkOITPass::IsInRange(const char* property, double value, double low, double high)
 {

@@ -29,15 +29,9 @@ public:
 
   void Render(const vtkRenderState* state) override
   {
-    this->Pass->Render(state);
+    // With UseDepthPeelingForVolumes the renderer leaves volumes to this pass.
+    this->Pass->RenderWithVolumes(state, this->GetVolumetricPass());
     this->NumberOfRenderedProps = this->Pass->GetNumberOfRenderedProps();
-    // With UseDepthPeelingForVolumes the renderer leaves volumes to this pass. They are composited
-    // over the translucent geometry, as without that setting.
-    if (vtkRenderPass* volumes = this->GetVolumetricPass())
-    {
-      volumes->Render(state);
-      this->NumberOfRenderedProps += volumes->GetNumberOfRenderedProps();
-    }
   }
 
   void ReleaseGraphicsResources(vtkWindow* window) override
@@ -64,6 +58,7 @@ public:
   std::set<std::string> Warnings;          // that were printed
   vtkDepthPeelingPass* Previous = nullptr; // what the renderer owned before
   bool PreviousUseDepthPeeling = false;
+  bool PreviousUseDepthPeelingForVolumes = false;
   std::shared_ptr<vtkOITHookRecord> Record; // where nobody asked for the pass
   bool IsInUnaskedFrame = false;
 
@@ -130,9 +125,10 @@ struct Access : public vtkOpenGLRenderer
     return renderer->*(&Access::DepthPeelingPass);
   }
   /// Set without Modified(): the application is not to notice.
-  static void SetUseDepthPeeling(vtkRenderer* renderer, bool on)
+  static void SetUseDepthPeeling(vtkRenderer* renderer, bool on, bool forVolumes)
   {
     renderer->*(&Access::UseDepthPeeling) = on ? 1 : 0;
+    renderer->*(&Access::UseDepthPeelingForVolumes) = forVolumes;
   }
 };
 
@@ -141,6 +137,7 @@ void Adapter::BeginUnasked()
 {
   this->EndUnasked(); // of a frame whose end was not observed
   this->PreviousUseDepthPeeling = this->Renderer->GetUseDepthPeeling() != 0;
+  this->PreviousUseDepthPeelingForVolumes = this->Renderer->GetUseDepthPeelingForVolumes();
   if (this->Record->RespectsDepthPeeling() && !this->PreviousUseDepthPeeling)
   {
     this->Chain.GiveBack();
@@ -149,7 +146,7 @@ void Adapter::BeginUnasked()
   else
   {
     this->IsInUnaskedFrame = true;
-    Access::SetUseDepthPeeling(this->Renderer, true);
+    Access::SetUseDepthPeeling(this->Renderer, true, true);
     this->Obstacle = this->FindObstacle();
     if (!this->Obstacle.empty())
     {
@@ -164,7 +161,8 @@ void Adapter::EndUnasked()
   if (this->IsInUnaskedFrame)
   {
     this->IsInUnaskedFrame = false;
-    Access::SetUseDepthPeeling(this->Renderer, this->PreviousUseDepthPeeling);
+    Access::SetUseDepthPeeling(
+      this->Renderer, this->PreviousUseDepthPeeling, this->PreviousUseDepthPeelingForVolumes);
   }
 }
 
@@ -228,7 +226,6 @@ Adapter* PutAdapter(vtkOpenGLRenderer* renderer, vtkOITPass* pass)
   {
     adapter = Adapter::New(); // owned by the renderer, which calls Delete()
     adapter->Previous = Access::Slot(renderer);
-    adapter->PreviousUseDepthPeeling = renderer->GetUseDepthPeeling() != 0;
     adapter->Renderer = renderer;
     Access::Slot(renderer) = adapter;
   }
@@ -259,11 +256,14 @@ bool vtkOITRendererHook::Install(vtkRenderer* renderer, vtkOITPass* pass)
                : "no pass was given; create one, e.g. vtkOITABufferPass::New()"));
     return false;
   }
+  const bool wasAsked = FindAdapter(renderer) && !FindAdapter(renderer)->Record;
   Adapter* adapter = PutAdapter(glRenderer, pass);
-  if (adapter->Record)
+  if (!wasAsked)
   {
     adapter->Record.reset();
     adapter->PreviousUseDepthPeeling = renderer->GetUseDepthPeeling() != 0;
+    adapter->PreviousUseDepthPeelingForVolumes = renderer->GetUseDepthPeelingForVolumes();
+    renderer->UseDepthPeelingForVolumesOn();
   }
   renderer->UseDepthPeelingOn();
   return true;
@@ -318,6 +318,7 @@ bool vtkOITRendererHook::Uninstall(vtkRenderer* renderer)
   if (!adapter->Record)
   {
     renderer->SetUseDepthPeeling(adapter->PreviousUseDepthPeeling);
+    renderer->SetUseDepthPeelingForVolumes(adapter->PreviousUseDepthPeelingForVolumes);
   }
   Access::Slot(vtkOpenGLRenderer::SafeDownCast(renderer)) = adapter->Previous;
   adapter->Previous = nullptr;

@@ -9,9 +9,12 @@
  * vtkOpenGLRenderer, also for subclasses of applications (PyVista, F3D, ParaView).
  *
  * UseDepthPeeling of the renderer is switched on. Its MaximumNumberOfPeels and OcclusionRatio are
- * ignored while a pass is installed; the pass has such properties of its own. Volumes are
- * composited over the translucent geometry, whatever UseDepthPeelingForVolumes says. Uninstall()
- * restores what Install() found.
+ * ignored while a pass is installed; the pass has such properties of its own. Uninstall() restores
+ * what Install() found.
+ *
+ * UseDepthPeelingForVolumes is switched on, too: volumes are drawn between the translucent props, in
+ * the order along each ray. Switched off after Install(), they are drawn over the translucent props,
+ * and GetExact() of the pass is false where they overlap.
  *
  * @sa vtkOITPass
  */

@@ -45,7 +45,7 @@ int TestPassFactory(int, char*[])
 
     std::ostringstream text;
     pass->Print(text);
-    for (const char* property : { "TranslucentPass", "MaximumNumberOfPeels", "OcclusionRatio",
+    for (const char* property : { "TranslucentPass", "VolumetricPass", "MaximumNumberOfPeels", "OcclusionRatio",
            "MaximumBufferSize", "NumberOfGeometryPasses", "NumberOfFragments",
            "MaximumDepthComplexity", "BufferSizeInBytes", "Exact", "ErrorBound" })
     {

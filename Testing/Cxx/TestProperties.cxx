@@ -118,7 +118,10 @@ void CheckCommon(Report& report, const std::string& name)
   vtkRenderPass* delegate = pass->GetTranslucentPass();
   pass->SetTranslucentPass(pass);
   report.Check(pass->GetTranslucentPass() == delegate, name + ": is its own delegate");
-  report.Check(listener.Count == 1, name + ": as its own delegate gives no error");
+  report.Check(!pass->GetVolumetricPass(), name + ": starts with a volumetric pass");
+  pass->SetVolumetricPass(pass);
+  report.Check(!pass->GetVolumetricPass(), name + ": is its own volumetric pass");
+  report.Check(listener.Count == 2, name + ": as its own delegate gives no error");
 }
 }
 

@@ -101,7 +101,12 @@ void vtkOITABufferEngine::ChooseShaders(const Task& task)
   shaders.Interlock =
     shaders.LastOnTop && !this->HeadInTarget && task.Frame.Capabilities->FragmentInterlock;
   shaders.HasLight = task.Frame.HasLight;
+  shaders.Volumes = task.Frame.Volumes != nullptr;
   this->Gather.SetStage(shaders.GetGather());
+  if (shaders.Volumes)
+  {
+    this->Volumes.SetShaders(shaders);
+  }
   this->Resolver.SetShaders(shaders);
 }
 
@@ -246,13 +251,7 @@ vtkOITFailure vtkOITABufferEngine::DrawBand(const Task& task, std::int64_t& need
     vtkOITFragmentStore::Counters counters;
     if (!failure)
     {
-      task.Frame.BeginOutput(this->Band);
-      std::string fault;
-      failure = this->Resolver.Resolve(task.Frame, this->Store, counters, fault);
-      if (!fault.empty())
-      {
-        task.Statistics.NoteFault("Fragments are left out: " + fault);
-      }
+      failure = this->Resolve(task, counters);
     }
     if (failure)
     {
@@ -282,6 +281,36 @@ vtkOITFailure vtkOITABufferEngine::DrawBand(const Task& task, std::int64_t& need
       "simpler");
   }
   return {};
+}
+
+//------------------------------------------------------------------------------
+vtkOITFailure vtkOITABufferEngine::Resolve(
+  const Task& task, vtkOITFragmentStore::Counters& counters)
+{
+  task.Frame.BeginOutput(this->Band);
+  std::string fault;
+  bool areDrawn = false;
+  std::function<void()> drawVolumes;
+  if (task.Frame.Volumes)
+  {
+    drawVolumes = [&]
+    {
+      areDrawn = true;
+      this->Volumes.Draw(
+        task.Frame, this->Store, static_cast<float>(task.Settings.TransmittanceThreshold));
+    };
+  }
+  vtkOITFailure failure =
+    this->Resolver.Resolve(task.Frame, this->Store, counters, fault, drawVolumes);
+  if (!fault.empty())
+  {
+    task.Statistics.NoteFault("Fragments are left out: " + fault);
+  }
+  if (areDrawn)
+  {
+    this->Volumes.DrawFailed(task.Frame, this->Store, task.Statistics);
+  }
+  return failure;
 }
 
 //------------------------------------------------------------------------------

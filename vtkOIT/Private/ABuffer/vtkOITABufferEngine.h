@@ -5,6 +5,7 @@
 
 #include "Private/ABuffer/vtkOITABufferResolver.h"
 #include "Private/ABuffer/vtkOITABufferShaders.h"
+#include "Private/ABuffer/vtkOITABufferVolumes.h"
 #include "Private/ABuffer/vtkOITFragmentStore.h"
 #include "Private/ABuffer/vtkOITSolidDepth.h"
 #include "Private/ABuffer/vtkOITTrial.h"
@@ -24,6 +25,7 @@ public:
   std::string FindMissing(
     const vtkOITCapabilities& capabilities, const vtkOITSettings& settings) const override;
   std::string FindMissingIn(const vtkOITFrame& frame) const override;
+  bool MixesVolumes() const override { return true; }
   bool UsesStorage(const vtkOITCapabilities&, const vtkOITSettings&) const override { return true; }
   bool SortsLight() const override { return true; }
   vtkOITFailure Draw(const vtkOITFrame& frame, const vtkOITSettings& settings,
@@ -47,6 +49,7 @@ private:
   vtkOITFailure Capture(const Task& task);
   vtkOITFailure BeginBand(const Task& task);
   void SetUniforms(const Task& task, vtkShaderProgram* program, vtkProp* prop);
+  vtkOITFailure Resolve(const Task& task, vtkOITFragmentStore::Counters& counters);
   void AddStatistics(const Task& task, const vtkOITFragmentStore::Counters& counters);
 
   vtkOITFragmentStore Store;
@@ -56,6 +59,7 @@ private:
   vtkOITGather Gather;
   vtkOITABufferShaders Shaders;
   vtkOITABufferResolver Resolver;
+  vtkOITABufferVolumes Volumes;
   vtkOITBands Bands;
 
   vtkOITRectangle Band;

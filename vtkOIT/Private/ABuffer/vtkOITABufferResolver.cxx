@@ -16,7 +16,7 @@
 namespace
 {
 // Classes of tiles, as in vtkOITABufferTileVS.glsl.
-constexpr std::array<int, 2> AllTiles = { 0, std::numeric_limits<int>::max() };
+constexpr std::array<int, 2> AllTiles = { 1, std::numeric_limits<int>::max() }; // with fragments
 constexpr std::array<int, 2> TilesToTryAgain = { -1, OIT_TRY_AGAIN };
 constexpr std::array<int, 2> TilesWithLists = { -1, OIT_HAS_LISTS };
 
@@ -73,17 +73,22 @@ void vtkOITABufferResolver::Release()
   }
   this->SecondChanceStage.Release();
   this->SortStage.Release();
+  for (vtkOITScreenStage& stage : this->ShortSortStages)
+  {
+    stage.Release();
+  }
   this->CompositeStage.Release();
 }
 
 //------------------------------------------------------------------------------
 vtkOITFailure vtkOITABufferResolver::Resolve(const vtkOITFrame& frame, vtkOITFragmentStore& store,
-  vtkOITFragmentStore::Counters& counters, std::string& fault)
+  vtkOITFragmentStore::Counters& counters, std::string& fault,
+  const std::function<void()>& drawVolumes)
 {
   glMemoryBarrier(Barriers);
   counters = {};
-  const bool isMultisampled = this->Shaders.Samples > 0;
-  if (isMultisampled || this->DepthComplexity.IsEmpty())
+  const bool sortsAll = this->Shaders.SortsAll();
+  if (sortsAll || this->DepthComplexity.IsEmpty())
   {
     vtkOITFailure failure = this->Count(frame, store, counters);
     if (failure || counters.Overflow)
@@ -96,10 +101,10 @@ vtkOITFailure vtkOITABufferResolver::Resolve(const vtkOITFrame& frame, vtkOITFra
     this->DepthComplexity.GetExpected(store.GetTileGrid());
   store.SetExpected(expected);
   this->PrepareOutput(frame, store);
-  vtkOITFailure failure = isMultisampled
-    ? this->DrawLists(frame, store, counters, AllTiles)
+  vtkOITFailure failure = sortsAll
+    ? this->DrawLists(frame, store, counters, AllTiles, drawVolumes)
     : this->DrawExpected(frame, store, this->FindDraws(expected));
-  if (!failure && !isMultisampled)
+  if (!failure && !sortsAll)
   {
     const vtkOITFailure later = this->DrawWhatIsLeft(frame, store, counters);
     fault = later.GetReason();
@@ -221,41 +226,103 @@ vtkOITFailure vtkOITABufferResolver::DrawExpected(
 }
 
 //------------------------------------------------------------------------------
-vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
-  const vtkOITFragmentStore& store, vtkOITFragmentStore::Counters& counters,
-  const std::array<int, 2>& tileClass)
+// Where all lists are sorted, their lengths are known from Count.
+vtkOITFailure vtkOITABufferResolver::SortLists(const vtkOITFrame& frame,
+  const vtkOITFragmentStore& store, const vtkOITFragmentStore::Counters& counters,
+  std::array<int, 2> tileClass)
 {
   const std::uint32_t longest = *std::max_element(counters.Tiles.begin(), counters.Tiles.end());
-  if (longest == 0)
-  {
-    return {};
-  }
   glMemoryBarrier(Barriers);
   vtkOpenGLState* state = frame.GLState;
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE); // Sort has no output
   vtkOITFailure failure;
-  for (const auto& widths : PlanSort(static_cast<int>(longest)))
+  if (tileClass == AllTiles)
   {
-    failure = this->DrawTiles(
-      this->SortStage, frame, store, tileClass, [this] { return this->Shaders.GetSort(); },
-      [&widths](vtkShaderProgram* program)
-      {
-        program->SetUniformi("oitFirstWidth", widths.first);
-        program->SetUniformi("oitLastWidth", widths.second);
-      });
-    if (failure)
+    failure = this->SortShortLists(frame, store, counters);
+    tileClass[0] = ShortLists.back() + 1;
+  }
+  if (static_cast<int>(longest) >= tileClass[0])
+  {
+    for (const auto& widths : PlanSort(static_cast<int>(longest)))
     {
-      break;
+      failure = failure
+        ? failure
+        : this->Sort(this->SortStage, OIT_RUN_SIZE, frame, store, tileClass, widths);
+      glMemoryBarrier(Barriers);
     }
-    glMemoryBarrier(Barriers);
   }
+  glMemoryBarrier(Barriers);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  if (!failure)
+  return failure;
+}
+
+//------------------------------------------------------------------------------
+vtkOITFailure vtkOITABufferResolver::SortShortLists(const vtkOITFrame& frame,
+  const vtkOITFragmentStore& store, const vtkOITFragmentStore::Counters& counters)
+{
+  vtkOITFailure failure;
+  int smallest = 1;
+  for (std::size_t i = 0; i < ShortLists.size() && !failure; ++i)
   {
-    failure = this->DrawTiles(this->CompositeStage, frame, store, tileClass,
-      [this] { return this->Shaders.GetComposite(); });
+    const int largest = ShortLists[i];
+    const bool isNeeded = std::any_of(counters.Tiles.begin(), counters.Tiles.end(),
+      [=](std::uint32_t n)
+      { return smallest <= static_cast<int>(n) && static_cast<int>(n) <= largest; });
+    if (isNeeded)
+    {
+      failure = this->Sort(this->ShortSortStages[i], largest, frame, store, { smallest, largest },
+        { OIT_RUN_SIZE, 0 });
+    }
+    smallest = largest + 1;
   }
-  if (this->Threshold > 0.0f)
+  return failure;
+}
+
+//------------------------------------------------------------------------------
+vtkOITFailure vtkOITABufferResolver::Sort(vtkOITScreenStage& stage, int runSize,
+  const vtkOITFrame& frame, const vtkOITFragmentStore& store, const std::array<int, 2>& tileClass,
+  const std::pair<int, int>& widths)
+{
+  return this->DrawTiles(
+    stage, frame, store, tileClass, [this, runSize] { return this->Shaders.GetSort(runSize); },
+    [&widths](vtkShaderProgram* program)
+    {
+      program->SetUniformi("oitFirstWidth", widths.first);
+      program->SetUniformi("oitLastWidth", widths.second);
+    });
+}
+
+//------------------------------------------------------------------------------
+// Volumes are drawn when nothing can fail any more.
+vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
+  const vtkOITFragmentStore& store, vtkOITFragmentStore::Counters& counters,
+  const std::array<int, 2>& tileClass, const std::function<void()>& drawVolumes)
+{
+  const auto getComposite = [this] { return this->Shaders.GetComposite(); };
+  const bool hasLists =
+    std::any_of(counters.Tiles.begin(), counters.Tiles.end(), [](std::uint32_t n) { return n > 0; });
+  vtkOITFailure failure;
+  if (hasLists)
+  {
+    failure = this->SortLists(frame, store, counters, tileClass);
+  }
+  if (drawVolumes && !failure)
+  {
+    failure = this->CompositeStage.Prepare(
+      frame.Window, GetTileVertexShader().c_str(), getComposite);
+    if (!failure)
+    {
+      drawVolumes();
+      glMemoryBarrier(Barriers);
+      frame.BeginOutput(store.GetRectangle());
+      this->PrepareOutput(frame, store);
+    }
+  }
+  if (hasLists && !failure)
+  {
+    failure = this->DrawTiles(this->CompositeStage, frame, store, tileClass, getComposite);
+  }
+  if (this->Threshold > 0.0f && hasLists)
   {
     counters.Skipped = store.ReadSkipped();
   }

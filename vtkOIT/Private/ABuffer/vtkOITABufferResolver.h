@@ -9,6 +9,7 @@
 #include "Private/GL/vtkOITScreenStage.h"
 
 #include <array>
+#include <utility>
 
 struct vtkOITFrame;
 class vtkShaderProgram;
@@ -25,7 +26,8 @@ class vtkShaderProgram;
  *    which the nearest fragments of longer lists may be enough; other long lists and coincident
  *    fragments are sorted and composited.
  *
- * Multisampled framebuffers: Count, then all lists are sorted and composited once a sample.
+ * Multisampled framebuffers: Count, then all lists are sorted and composited once a sample. Frames
+ * with volumes: Count, all lists are sorted, volumes are drawn, what they leave is composited.
  */
 class vtkOITABufferResolver
 {
@@ -35,9 +37,11 @@ public:
 
   /// Draws into the framebuffer, unless the store has overflowed: then nothing is drawn. Changes
   /// blending, colour mask and viewport. When it fails, nothing is drawn; `fault` tells what was
-  /// left out of what was drawn.
+  /// left out of what was drawn. `drawVolumes`, with shaders for volumes: draws them, once all lists
+  /// are sorted.
   vtkOITFailure Resolve(const vtkOITFrame& frame, vtkOITFragmentStore& store,
-    vtkOITFragmentStore::Counters& counters, std::string& fault);
+    vtkOITFragmentStore::Counters& counters, std::string& fault,
+    const std::function<void()>& drawVolumes = {});
 
   /// Behind a transmittance of at most this, long lists need not be composited. Default 0.
   void SetThreshold(float threshold) { this->Threshold = threshold; }
@@ -64,8 +68,16 @@ private:
     const vtkOITFrame& frame, const vtkOITFragmentStore& store, const std::vector<TileDraw>& draws);
   vtkOITFailure DrawWhatIsLeft(
     const vtkOITFrame& frame, vtkOITFragmentStore& store, vtkOITFragmentStore::Counters& counters);
+  vtkOITFailure SortLists(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
+    const vtkOITFragmentStore::Counters& counters, std::array<int, 2> tileClass);
+  vtkOITFailure SortShortLists(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
+    const vtkOITFragmentStore::Counters& counters);
+  vtkOITFailure Sort(vtkOITScreenStage& stage, int runSize, const vtkOITFrame& frame,
+    const vtkOITFragmentStore& store, const std::array<int, 2>& tileClass,
+    const std::pair<int, int>& widths);
   vtkOITFailure DrawLists(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
-    vtkOITFragmentStore::Counters& counters, const std::array<int, 2>& tileClass);
+    vtkOITFragmentStore::Counters& counters, const std::array<int, 2>& tileClass,
+    const std::function<void()>& drawVolumes = {});
   vtkOITFailure DrawTiles(vtkOITScreenStage& stage, const vtkOITFrame& frame,
     const vtkOITFragmentStore& store, const std::array<int, 2>& tileClass,
     const std::function<std::string()>& getFragmentShader,
@@ -79,6 +91,9 @@ private:
   int DeepFrames = 0; // that had tiles for the largest network
   vtkOITScreenStage SecondChanceStage;
   vtkOITScreenStage SortStage;
+  /// The same for tiles with short lists only, with less to do.
+  static constexpr std::array<int, 2> ShortLists = { 4, 8 };
+  std::array<vtkOITScreenStage, ShortLists.size()> ShortSortStages;
   vtkOITScreenStage CompositeStage;
 };
 

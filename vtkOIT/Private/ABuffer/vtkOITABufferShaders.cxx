@@ -28,7 +28,7 @@ bool vtkOITABufferShaders::operator==(const vtkOITABufferShaders& other) const
   {
     return std::tie(s.Samples, s.FloatColor, s.NodesInImage, s.FramebufferFetch,
       s.PostDepthCoverage, s.HeadInTarget, s.ClampColor, s.FineDerivatives, s.LastOnTop,
-      s.Interlock, s.HasLight);
+      s.Interlock, s.HasLight, s.Volumes);
   };
   return tie(*this) == tie(other);
 }
@@ -112,7 +112,7 @@ std::string vtkOITABufferShaders::GetTileVertexShader()
 //------------------------------------------------------------------------------
 std::string vtkOITABufferShaders::GetCount() const
 {
-  return this->MakeStage(vtkOITABufferCountFS).GetText();
+  return this->MakeStage(vtkOITABufferCountFS).Define("OIT_VOLUMES", this->Volumes).GetText();
 }
 
 //------------------------------------------------------------------------------
@@ -139,15 +139,29 @@ std::string vtkOITABufferShaders::GetSecondChance() const
 }
 
 //------------------------------------------------------------------------------
-std::string vtkOITABufferShaders::GetSort() const
+std::string vtkOITABufferShaders::GetSort(int runSize) const
 {
   return this->MakeStage(vtkOITABufferSortFS)
-    .Insert("SortRun", vtkOITRegisterSort(OIT_RUN_SIZE))
+    .Define("OIT_SORTS_ALL", this->SortsAll())
+    .Insert("SortRun", vtkOITRegisterSort(runSize))
     .GetText();
 }
 
 //------------------------------------------------------------------------------
 std::string vtkOITABufferShaders::GetComposite() const
 {
-  return this->MakeOutputStage(vtkOITABufferCompositeFS).GetText();
+  return this->MakeOutputStage(vtkOITABufferCompositeFS)
+    .Define("OIT_VOLUMES", this->Volumes)
+    .GetText();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITABufferShaders::GetVolume(const std::string& mapperShader) const
+{
+  vtkOITShaderText text = this->MakeStage(mapperShader.c_str());
+  if (this->Samples > 0)
+  {
+    text.Require({ "GL_ARB_sample_shading" });
+  }
+  return text.GetText();
 }

@@ -27,6 +27,7 @@ struct vtkOITABufferShaders
   bool LastOnTop = false;
   bool Interlock = false; // in Gather, for the order of drawing
   bool HasLight = false;  // some props add light
+  bool Volumes = false; // rays of volumes walk the lists
 
   bool operator==(const vtkOITABufferShaders& other) const;
 
@@ -42,6 +43,8 @@ struct vtkOITABufferShaders
     return 1 + (this->HasWideNodes() ? 1 : 0) + (this->HasDrawOrder() ? 1 : 0);
   }
   int GetBytesPerNode() const { return 16 * this->GetTexelsPerNode(); }
+  /// All lists are sorted in memory, not only those that networks in registers leave.
+  bool SortsAll() const { return this->Volumes || this->Samples > 0; }
 
   /// The stage on fragments of props.
   vtkOITShaderText GetGather() const;
@@ -52,8 +55,11 @@ struct vtkOITABufferShaders
   std::string GetCount() const;
   std::string GetResolve(int networkSize) const;
   std::string GetSecondChance() const;
-  std::string GetSort() const;
+  /// `runSize`: fragments of the runs that it starts from, OIT_RUN_SIZE or the length of short lists.
+  std::string GetSort(int runSize) const;
   std::string GetComposite() const;
+  /// Of a volume mapper, to which March was added (vtkOITVolumeText).
+  std::string GetVolume(const std::string& mapperShader) const;
   ///@}
 
   /// Fragments of a pixel that the sorting networks in registers take, ascending. Larger ones than

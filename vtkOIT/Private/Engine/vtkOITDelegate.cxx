@@ -4,6 +4,7 @@
 
 #include "Private/Engine/vtkOITGather.h"
 #include "Private/Engine/vtkOITGatherHook.h"
+#include "Private/Engine/vtkOITPartState.h"
 #include "Private/Engine/vtkOITPropParts.h"
 
 #include "vtkProp.h"
@@ -15,25 +16,6 @@
 
 namespace
 {
-/// The state that the pass was given, with other props.
-class PartState
-{
-public:
-  PartState(const vtkRenderState* state, const std::vector<vtkProp*>& props)
-    : Props(props)
-    , State(state->GetRenderer())
-  {
-    this->State.SetPropArrayAndCount(this->Props.data(), static_cast<int>(this->Props.size()));
-    this->State.SetFrameBuffer(state->GetFrameBuffer());
-    this->State.SetRequiredKeys(state->GetRequiredKeys());
-  }
-  const vtkRenderState* Get() const { return &this->State; }
-
-private:
-  std::vector<vtkProp*> Props;
-  vtkRenderState State;
-};
-
 /// The visible props of the state, with its required keys, of this kind.
 template <typename Predicate>
 std::vector<vtkProp*> FindDrawn(const vtkRenderState* state, Predicate isOfKind)
@@ -70,13 +52,13 @@ vtkOITFailure vtkOITDelegate::DrawHooked(const std::vector<vtkProp*>& props, vtk
   const std::vector<vtkProp*> parts = vtkOITFindParts(props);
   hooked.insert(hooked.end(), parts.begin(), parts.end());
   return gather.GetHook()->RenderBy(
-    this->Pass, PartState(this->State, hooked).Get(), PartState(this->State, props).Get());
+    this->Pass, vtkOITPartState(this->State, hooked).Get(), vtkOITPartState(this->State, props).Get());
 }
 
 //------------------------------------------------------------------------------
 void vtkOITDelegate::DrawUnsorted(const std::vector<vtkProp*>& props)
 {
-  this->Pass->Render(PartState(this->State, props).Get());
+  this->Pass->Render(vtkOITPartState(this->State, props).Get());
   this->Note(props);
 }
 

@@ -3,22 +3,20 @@
 #include "Private/Engine/vtkOITGather.h"
 
 #include "Private/Engine/vtkOITGatherHook.h"
+#include "Private/Engine/vtkOITPropKeys.h"
 #include "Private/GL/vtkOITProgram.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLShaderProperty.h"
 #include "vtkProp.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkShader.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
 namespace
 {
@@ -35,52 +33,6 @@ bool HasOtherPasses(const vtkRenderState* state)
       vtkInformation* keys = prop->GetPropertyKeys();
       return keys && keys->Length(vtkOpenGLRenderPass::RenderPasses()) > 0;
     });
-}
-
-/// Adds a pass to those that are asked about the shaders of props. Not by vtkInformation::Append() as
-/// VTK does: in VTK 9.1 it takes a reference that is lost where the keys are replaced while drawing,
-/// which assemblies do to their parts.
-void AddTo(const vtkRenderState* state, vtkOpenGLRenderPass* pass)
-{
-  vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
-  vtkProp** first = state->GetPropArray();
-  for (vtkProp** prop = first; prop != first + state->GetPropArrayCount(); ++prop)
-  {
-    if (!(*prop)->GetPropertyKeys())
-    {
-      (*prop)->SetPropertyKeys(vtkNew<vtkInformation>());
-    }
-    vtkInformation* keys = (*prop)->GetPropertyKeys();
-    keys->Set(passes, pass, keys->Length(passes));
-  }
-}
-
-/// Takes the pass away from those, wherever it still is.
-void RemoveFrom(const vtkRenderState* state, vtkOpenGLRenderPass* pass)
-{
-  vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
-  vtkProp** first = state->GetPropArray();
-  for (vtkProp** prop = first; prop != first + state->GetPropArrayCount(); ++prop)
-  {
-    vtkInformation* keys = (*prop)->GetPropertyKeys();
-    if (!keys)
-    {
-      continue;
-    }
-    std::vector<vtkSmartPointer<vtkObjectBase>> others;
-    for (int i = 0; i < keys->Length(passes); ++i)
-    {
-      if (keys->Get(passes, i) != pass)
-      {
-        others.emplace_back(keys->Get(passes, i));
-      }
-    }
-    keys->Remove(passes);
-    for (std::size_t i = 0; i < others.size(); ++i)
-    {
-      keys->Set(passes, others[i], static_cast<int>(i));
-    }
-  }
 }
 
 /// Draws nothing, and compiles everywhere.
@@ -142,9 +94,10 @@ vtkOITFailure vtkOITGatherHook::RenderBy(
   {
     this->Binding = vtkOITDrawBinding::Query();
   }
-  AddTo(state, this);
-  delegate->Render(drawn);
-  RemoveFrom(state, this);
+  {
+    const vtkOITPropKeys keys(state, this);
+    delegate->Render(drawn);
+  }
   this->Binding.reset();
   if (this->Failure)
   {

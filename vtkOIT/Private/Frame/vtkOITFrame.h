@@ -10,6 +10,7 @@
 #include <vector>
 
 class vtkOITCapabilities;
+class vtkOITVolumes;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLState;
 class vtkProp;
@@ -35,6 +36,8 @@ struct vtkOITFrame
   std::vector<vtkOITScreenExtent> Extents;
   /// Some of them may add light, see vtkOITAddsLight().
   bool HasLight = false;
+  /// Those that lie between the props; nullptr without.
+  vtkOITVolumes* Volumes = nullptr;
   /// The only pixels that may be drawn to.
   vtkOITRectangle Rectangle;
 

@@ -12,6 +12,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
+#include "vtkVolume.h"
 
 #include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
@@ -45,6 +46,10 @@ bool MovesVertices(vtkShaderProperty* shader)
 /// Pixels that points and lines add around the bounds; negative when there is no limit.
 double FindMargin(vtkProp* prop)
 {
+  if (auto* volume = vtkVolume::SafeDownCast(prop))
+  {
+    return vtkOITIsInWorldCoordinates(volume) ? 0.0 : -1.0;
+  }
   auto* actor = vtkActor::SafeDownCast(prop);
   if (!actor || !StaysInBounds(actor->GetMapper()) || MovesVertices(actor->GetShaderProperty()) ||
     !vtkOITIsInWorldCoordinates(actor))

@@ -36,6 +36,12 @@ struct vtkOITStatistics
   {
     this->Summary += (this->Summary.empty() ? "" : "; ") + what;
   }
+  /// Not exact, and why; the first such line is kept.
+  void NoteWarning(const std::string& warning)
+  {
+    this->Warning = this->Warning.empty() ? warning : this->Warning;
+    this->NoteError(1.0);
+  }
   /// Something is wrong with the picture; the first such line is kept.
   void NoteFault(const std::string& fault)
   {

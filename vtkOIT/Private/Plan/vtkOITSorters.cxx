@@ -10,6 +10,7 @@
 #include "Private/Frame/vtkOITStatistics.h"
 #include "Private/GL/vtkOITSavedState.h"
 #include "Private/Peeling/vtkOITDualPeelingEngine.h"
+#include "Private/Volume/vtkOITVolumes.h"
 
 #include "vtkOpenGLState.h"
 
@@ -23,6 +24,18 @@ std::string FindMissingOf(
 {
   const std::string missing = engine.FindMissing(*frame.Capabilities, settings);
   return missing.empty() ? engine.FindMissingIn(frame) : missing;
+}
+
+/// The application's state, for what VTK draws by itself inside of the frame's rectangle.
+void BeginUnsorted(const vtkOITFrame& frame, const vtkOITSavedState& saved)
+{
+  saved.SetAgain();
+  vtkOpenGLState* state = frame.GLState;
+  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame.Target.Framebuffer);
+  frame.Target.DrawToAllBuffers();
+  const vtkOITRectangle& r = frame.Rectangle;
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(r.X, r.Y, r.Width, r.Height);
 }
 }
 
@@ -91,6 +104,7 @@ void vtkOITSorters::Draw(const vtkOITFrame& frame, const vtkOITSettings& setting
   std::vector<vtkOITRectangle> undrawn{ frame.Rectangle };
   std::string reason; // why the best one does not draw
   bool isExpected = true;
+  const bool canMix = frame.Volumes && this->CanMix(frame, settings);
   for (int which = 0; which < Count && !undrawn.empty(); ++which)
   {
     vtkOITEngine* engine = this->Get(which);
@@ -98,7 +112,9 @@ void vtkOITSorters::Draw(const vtkOITFrame& frame, const vtkOITSettings& setting
     {
       continue;
     }
-    const std::string missing = FindMissingOf(*engine, frame, settings);
+    const bool yields = canMix && !engine->MixesVolumes() && !engine->IsPreview();
+    const std::string missing =
+      yields ? "a volume lies between translucent layers" : FindMissingOf(*engine, frame, settings);
     if (!missing.empty())
     {
       reason = reason.empty() ? missing : reason;
@@ -122,6 +138,10 @@ void vtkOITSorters::Draw(const vtkOITFrame& frame, const vtkOITSettings& setting
         left.insert(left.end(), of.begin(), of.end());
         left.insert(left.end(), of.empty() ? 1 : 0, part);
       }
+      else if (frame.Volumes && !engine->MixesVolumes())
+      {
+        DrawVolumesOver(frame.Inside(part), saved, statistics);
+      }
     }
     undrawn = left;
     statistics.Algorithm = engine->GetAlgorithmName(settings);
@@ -135,9 +155,18 @@ void vtkOITSorters::Draw(const vtkOITFrame& frame, const vtkOITSettings& setting
   {
     statistics.Warning = "Rendered by another exact method: " + reason;
   }
+  if (frame.Volumes && !canMix)
+  {
+    statistics.NoteWarning("A volume is drawn over the translucent props that it overlaps: shaders "
+                           "cannot keep lists of fragments in this context");
+  }
   for (const vtkOITRectangle& part : undrawn)
   {
     DrawUnsorted(frame.Inside(part), geometry, saved);
+    if (frame.Volumes)
+    {
+      DrawVolumesOver(frame.Inside(part), saved, statistics);
+    }
     statistics.Algorithm = "unsorted blending";
     statistics.NumberOfFragments = -1;
     statistics.MaximumDepthComplexity = -1;
@@ -149,15 +178,33 @@ void vtkOITSorters::Draw(const vtkOITFrame& frame, const vtkOITSettings& setting
 void vtkOITSorters::DrawUnsorted(
   const vtkOITFrame& frame, vtkOITGeometry& geometry, const vtkOITSavedState& saved)
 {
-  saved.SetAgain();
-  vtkOpenGLState* state = frame.GLState;
-  state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame.Target.Framebuffer);
-  frame.Target.DrawToAllBuffers();
-  const vtkOITRectangle& r = frame.Rectangle;
-  state->vtkglEnable(GL_SCISSOR_TEST);
-  state->vtkglScissor(r.X, r.Y, r.Width, r.Height);
+  BeginUnsorted(frame, saved);
   geometry.DrawUnsorted(frame.Props);
   saved.SetNeutral();
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITSorters::CanMix(const vtkOITFrame& frame, const vtkOITSettings& settings)
+{
+  for (int which = 0; which < Count; ++which)
+  {
+    vtkOITEngine* engine = this->Get(which);
+    if (engine && engine->MixesVolumes() && FindMissingOf(*engine, frame, settings).empty())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITSorters::DrawVolumesOver(
+  const vtkOITFrame& frame, const vtkOITSavedState& saved, vtkOITStatistics& statistics)
+{
+  BeginUnsorted(frame, saved);
+  frame.Volumes->DrawPlainly(frame.Volumes->GetBetween());
+  saved.SetNeutral();
+  statistics.NoteError(1.0);
 }
 
 //------------------------------------------------------------------------------

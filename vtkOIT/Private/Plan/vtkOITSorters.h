@@ -52,8 +52,11 @@ private:
   static constexpr int Count = 3;
   vtkOITEngine* Get(int which);
   void ReleaseOthers(const vtkOITEngine* used);
+  bool CanMix(const vtkOITFrame& frame, const vtkOITSettings& settings);
   static void DrawUnsorted(
     const vtkOITFrame& frame, vtkOITGeometry& geometry, const vtkOITSavedState& saved);
+  static void DrawVolumesOver(
+    const vtkOITFrame& frame, const vtkOITSavedState& saved, vtkOITStatistics& statistics);
 
   vtkOITEngine* Own;
   std::unique_ptr<vtkOITEngine> Others[2]; // made when first needed

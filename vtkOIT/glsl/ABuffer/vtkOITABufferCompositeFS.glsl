@@ -34,12 +34,6 @@ vec2 oitAdd(float value, float change)
   return vec2(sum, rest);
 }
 
-#ifdef OIT_LAST_ON_TOP
-#define OIT_IS_OF_GROUP(fragment) false
-#else
-#define OIT_IS_OF_GROUP(fragment) (fragment.Key == key)
-#endif
-
 #ifdef OIT_HAS_LIGHT
 #define OIT_ADD_LIGHT color += transmittance * light;
 #else
@@ -66,6 +60,12 @@ void main()
   uint node = imageLoad(oitHeads, ivec2(gl_FragCoord.xy) - oitOrigin).x;
 #if OIT_SAMPLES > 0
   bool isMine = node != OIT_END;
+#ifdef OIT_VOLUMES
+  uint taken = oitLoad(OIT_WORD(node)).z; // samples in which a volume's ray was here
+  isMine = isMine && ((taken >> uint(gl_SampleID)) & 1u) == 0u;
+#endif
+#elif defined(OIT_VOLUMES)
+  bool isMine = node != OIT_END && (node & OIT_LEFT) == 0u; // marked: a volume's ray was here
 #else
   bool isMine = (node & OIT_LEFT) != 0u;
   node &= ~OIT_LEFT;

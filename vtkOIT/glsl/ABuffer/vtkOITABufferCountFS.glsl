@@ -22,5 +22,8 @@ void main()
   if (count > 0u)
   {
     atomicMax(oitTiles[oitFindTile()].Complexity, count);
+#ifdef OIT_VOLUMES
+    atomicAdd(oitTiles[oitFindTile()].Fragments, count); // Resolve does not, then
+#endif
   }
 }

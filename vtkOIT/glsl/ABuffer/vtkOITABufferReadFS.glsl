@@ -26,6 +26,13 @@ struct OITFragment
 #define OIT_ORDER(node) uvec3(0u, 0u, node)
 #endif
 
+// Whether a fragment belongs to the group of the depth `key`.
+#ifdef OIT_LAST_ON_TOP
+#define OIT_IS_OF_GROUP(fragment) false
+#else
+#define OIT_IS_OF_GROUP(fragment) (fragment.Key == key)
+#endif
+
 // What of an unpacked colour lies over what is behind it, and what is only added to that.
 #ifdef OIT_HAS_LIGHT
 float oitGetCover(vec4 color) { return color.a > 1.0 ? 0.0 : color.a; }

@@ -2,8 +2,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Sorts lists in place, of any length: for the pixels that Resolve left over, and for all pixels
-// of multisampled framebuffers, which are composited once a sample. Writes no colour.
+// Sorts lists in place, of any length: for the pixels that Resolve left over, and (OIT_SORTS_ALL) for
+// all pixels of multisampled framebuffers, which are composited once a sample, and of frames in which
+// rays of volumes walk the lists. Writes no colour.
 //
 // A merge sort that relinks the nodes and needs no memory beside them: blocks of 16 nodes come out
 // of a sorting network in registers, then neighbouring runs are merged. A block that lies behind or
@@ -185,7 +186,7 @@ void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy) - oitOrigin;
   uint head = imageLoad(oitHeads, pixel).x;
-#if OIT_SAMPLES > 0
+#ifdef OIT_SORTS_ALL
   uint mark = 0u;
   bool isMine = head != OIT_END;
 #else

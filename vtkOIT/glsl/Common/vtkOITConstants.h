@@ -27,6 +27,11 @@
 #define OIT_NETWORK_COUNT 8  // sorting networks in registers, and the fragments that they take
 #define OIT_NETWORK_SIZES 4, 6, 8, 12, 16, 24, 32, 64
 
+// Volumes: what a ray makes of its samples.
+#define OIT_VOLUME_MARCHED 0   // each is composited, or each isosurface that it crosses
+#define OIT_VOLUME_PROJECTED 1 // one layer
+#define OIT_VOLUME_SLICE 2     // one layer, on a plane
+
 // A-buffer: counters in words of 32 bits, then the tiles.
 #define OIT_COUNTER_WORDS 4 // nodes, overflow, skipped, unused
 #define OIT_WORD_OVERFLOW 1
