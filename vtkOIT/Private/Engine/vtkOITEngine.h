@@ -38,8 +38,6 @@ public:
 
   /// Whether it draws the frame's volumes between the props, too.
   virtual bool MixesVolumes() const { return false; }
-  /// Whether it is chosen for being fast, not exact: no other one is taken instead.
-  virtual bool IsPreview() const { return false; }
 
   /// Draws the props inside of the frame's rectangle over its target, and adds to the statistics.
   /// Changes the state that vtkOITSavedState restores. When it fails, it has drawn nothing where

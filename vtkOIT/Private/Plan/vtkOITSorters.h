@@ -52,7 +52,8 @@ private:
   static constexpr int Count = 3;
   vtkOITEngine* Get(int which);
   void ReleaseOthers(const vtkOITEngine* used);
-  bool CanMix(const vtkOITFrame& frame, const vtkOITSettings& settings);
+  bool HasOne(bool (vtkOITEngine::*ability)() const, const vtkOITFrame& frame,
+    const vtkOITSettings& settings);
   static void DrawUnsorted(
     const vtkOITFrame& frame, vtkOITGeometry& geometry, const vtkOITSavedState& saved);
   static void DrawVolumesOver(
