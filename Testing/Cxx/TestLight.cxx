@@ -63,6 +63,7 @@ vtkActor* AddLight(Rig& rig, const std::vector<glm::dvec3>& at, const glm::vec4&
   actor->GetProperty()->SetColor(color.r, color.g, color.b);
   actor->GetProperty()->SetOpacity(color.a);
   actor->GetProperty()->SetPointSize(60.0);
+  actor->ForceTranslucentOn(); // VTK draws it with the opaque geometry where its opacity is 1
   rig.Renderer->AddActor(actor);
   return actor;
 }
@@ -112,18 +113,34 @@ glm::dvec4 FindAnswer(const Parts& parts, const glm::dvec4& background)
   return answer;
 }
 
+/// The light is rounded once, and with it each opacity in front of it, where the format rounds.
 Tolerance FindBound(const Rig& rig, const Setup& setup, const Parts& parts)
 {
+  const double step = setup.FragmentStorage == Storage::Half ? std::ldexp(1.0, -11) : 1e-7;
   std::vector<Layer> layers;
-  double light = 0.0;
   for (const Part& part : parts)
   {
-    layers.push_back(part.Of);
-    light += part.IsLight ? 1.0 : 0.0;
+    if (!part.IsLight)
+    {
+      layers.push_back(part.Of);
+    }
   }
   Tolerance bound =
     ReferenceCompositor::RoundingBound(layers, rig.GetBackground(), setup.FragmentStorage);
-  bound.Color += light * (setup.FragmentStorage == Storage::Half ? std::ldexp(1.0, -11) : 1e-6);
+  for (const Part& part : parts)
+  {
+    double light = part.IsLight ? part.Of.Color.a : 0.0;
+    double errors = 2.0;
+    for (const Layer& layer : layers)
+    {
+      if (layer.Depth < part.Of.Depth && layer.Color.a < 1.0f)
+      {
+        light *= 1.0 - layer.Color.a;
+        errors += layer.Color.a / (1.0 - layer.Color.a);
+      }
+    }
+    bound.Color += light * errors * step;
+  }
   return bound;
 }
 
