@@ -223,8 +223,7 @@ void CheckOverlay(Report& report, Rig& rig, const Setup& setup)
     color.a = opacity;
     return color;
   };
-  const Tolerance bound =
-    ReferenceCompositor::RoundingBoundOfAnyStack(8, setup.FragmentStorage);
+  const Tolerance bound = ReferenceCompositor::RoundingBoundOfAnyStack(8, setup.FragmentStorage);
   for (const bool isReversed : { false, true })
   {
     rig.RemoveProps();
@@ -233,8 +232,8 @@ void CheckOverlay(Report& report, Rig& rig, const Setup& setup)
     const Image both = rig.Render();
     rig.RemoveProps();
     rig.AddPolyData(mesh, isReversed ? blend(above, below) : blend(below, above));
-    report.Compare(
-      isReversed ? "surface over its overlay" : "overlay on its surface", both, rig.Render(), bound + bound);
+    report.Compare(isReversed ? "surface over its overlay" : "overlay on its surface", both,
+      rig.Render(), bound + bound);
   }
 }
 

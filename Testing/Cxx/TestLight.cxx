@@ -45,7 +45,8 @@ using Parts = std::vector<Part>;
 
 /// Emissive Gaussians at the points: splats of this radius in pixels, or with a radius of 0 one large
 /// point each that covers the picture evenly.
-vtkActor* AddLight(Rig& rig, const std::vector<glm::dvec3>& at, const glm::vec4& color, double radius)
+vtkActor* AddLight(
+  Rig& rig, const std::vector<glm::dvec3>& at, const glm::vec4& color, double radius)
 {
   vtkNew<vtkPoints> points;
   for (const glm::dvec3& point : at)
@@ -144,7 +145,8 @@ Tolerance FindBound(const Rig& rig, const Setup& setup, const Parts& parts)
   return bound;
 }
 
-void Compare(Report& report, Rig& rig, const Setup& setup, const std::string& what, const Parts& parts)
+void Compare(
+  Report& report, Rig& rig, const Setup& setup, const std::string& what, const Parts& parts)
 {
   AddParts(rig, parts);
   report.Compare(what, rig.Render(), Everywhere(FindAnswer(parts, rig.GetBackground())),
@@ -166,8 +168,7 @@ void CheckPlaces(Report& report, Rig& rig, const Setup& setup)
   for (const float depth : { 0.125f, 0.25f, 0.5f, 0.75f, 0.875f })
   {
     const std::string what = "light at depth " + std::to_string(depth);
-    Compare(
-      report, rig, setup, what, { { Near }, { MakeLight(depth), true }, { Far } });
+    Compare(report, rig, setup, what, { { Near }, { MakeLight(depth), true }, { Far } });
     Compare(report, rig, setup, what + ", drawn first",
       { { MakeLight(depth), true }, { Far }, { Near } });
   }
@@ -237,8 +238,7 @@ void CheckSplats(Report& report, Rig& rig, const Setup& setup)
   rig.AddQuad(Far);
   const glm::dvec4 background = rig.GetBackground();
   const glm::dvec4 layers = ReferenceCompositor::Composite({ Near, Far }, background);
-  const Tolerance bound =
-    ReferenceCompositor::RoundingBoundOfAnyStack(14, setup.FragmentStorage);
+  const Tolerance bound = ReferenceCompositor::RoundingBoundOfAnyStack(14, setup.FragmentStorage);
   report.Compare(
     "splats between layers", rig.Render(),
     [&](int x, int y)
@@ -261,7 +261,8 @@ void CheckWindow(Report& report, const Setup& setup, int samples)
   AddParts(rig, parts);
   const glm::dvec4 answer = FindAnswer(parts, rig.GetBackground());
   report.Compare("window of " + std::to_string(samples) + " samples", rig.RenderWindow(),
-    Everywhere(glm::min(answer, glm::dvec4(1.0))), FindBound(rig, setup, parts) + Rig::WindowTolerance());
+    Everywhere(glm::min(answer, glm::dvec4(1.0))),
+    FindBound(rig, setup, parts) + Rig::WindowTolerance());
   report.Check(rig.Pass->GetExact(), "window: it is said not to be exact");
 }
 
@@ -273,7 +274,8 @@ void CheckUnsorted(Report& report, const Setup& setup)
   {
     Rig rig(setup, Width, Height);
     rig.AddQuad({ 0.75f, { 0.25f, 0.125f, 0.5f, 1.0f } });
-    AddLight(rig, { FindCenter(rig, 0.5f), FindCenter(rig, 0.25f) }, { 0.5f, 0.25f, 0.75f, 0.5f }, 4.0);
+    AddLight(
+      rig, { FindCenter(rig, 0.5f), FindCenter(rig, 0.25f) }, { 0.5f, 0.25f, 0.75f, 0.5f }, 4.0);
     if (&image == &images[1])
     {
       setup.Detach(rig.Renderer);
