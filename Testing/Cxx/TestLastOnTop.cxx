@@ -10,16 +10,20 @@
 #include "Scenes/Meshes.h"
 #include "Scenes/Random.h"
 
+#include "Private/Frame/vtkOITCompatibility.h"
+
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkMapper.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <vtksys/SystemTools.hxx>
@@ -121,7 +125,7 @@ void CheckManyActors(Report& report, Rig& rig, const Setup& setup)
 }
 
 /// The faces of one mesh, each of a colour of its own.
-vtkActor* AddFaces(Rig& rig, const std::vector<Layer>& layers)
+vtkSmartPointer<vtkPolyData> MakeFaces(const Rig& rig, const std::vector<Layer>& layers)
 {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> quads;
@@ -141,11 +145,17 @@ vtkActor* AddFaces(Rig& rig, const std::vector<Layer>& layers)
     const glm::dvec4 color = glm::dvec4(layer.Color) * 255.0;
     colors->InsertNextTuple4(color.r, color.g, color.b, color.a);
   }
-  vtkNew<vtkPolyData> mesh;
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
   mesh->SetPoints(points);
   mesh->SetPolys(quads);
   mesh->GetCellData()->SetScalars(colors);
-  return rig.AddPolyData(mesh, { 1.0f, 1.0f, 1.0f, 1.0f });
+  return mesh;
+}
+
+void AddFaces(Rig& rig, const std::vector<Layer>& layers)
+{
+  rig.RemoveProps();
+  rig.AddPolyData(MakeFaces(rig, layers), { 1.0f, 1.0f, 1.0f, 1.0f });
 }
 
 void CheckFaces(Report& report, Rig& rig, const Setup& setup)
@@ -159,13 +169,45 @@ void CheckFaces(Report& report, Rig& rig, const Setup& setup)
       layers[i].Color[channel] = std::round(layers[i].Color[channel] * 255.0f) / 255.0f;
     }
   }
-  rig.RemoveProps();
   AddFaces(rig, layers);
   Compare(report, rig, setup, "faces of a mesh", layers);
   std::reverse(layers.begin(), layers.end());
-  rig.RemoveProps();
   AddFaces(rig, layers);
   Compare(report, rig, setup, "faces of a mesh, reversed", layers);
+}
+
+/// Coincident blocks, which one mapper draws one by one, in the order of their addresses: one of them
+/// lies on the other, or it is not promised.
+void CheckBlocks(Report& report, Rig& rig, const Setup& setup, const Tolerance& added)
+{
+  const std::vector<Layer> blocks[2] = {
+    { { 0.5f, { 1.0f, 0.0f, 0.0f, 0.6f } } },
+    { { 0.75f, { 0.0f, 0.0f, 1.0f, 0.6f } }, { 0.5f, { 0.0f, 1.0f, 0.0f, 0.6f } } },
+  };
+  vtkNew<vtkMultiBlockDataSet> data;
+  data->SetBlock(0, MakeFaces(rig, blocks[0]));
+  data->SetBlock(1, MakeFaces(rig, blocks[1]));
+  vtkNew<vtkOITCompositeMapper> mapper;
+  mapper->SetInputDataObject(data);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->ForceTranslucentOn();
+  rig.RemoveProps();
+  rig.Renderer->AddActor(actor);
+  const bool hasSamples = rig.Window->GetMultiSamples() > 0;
+  const Image image = hasSamples ? rig.RenderWindow() : rig.Render();
+  const bool isFirstOnTop = image.At(0, 0).r > image.At(0, 0).g;
+  std::vector<Layer> layers = blocks[isFirstOnTop ? 1 : 0];
+  const std::vector<Layer>& last = blocks[isFirstOnTop ? 0 : 1];
+  layers.insert(layers.end(), last.begin(), last.end());
+  if (rig.Pass->GetExact())
+  {
+    report.Compare("blocks", image,
+      Everywhere(ReferenceCompositor::Composite(Unfold(layers), rig.GetBackground())),
+      FindBound(rig, setup, layers) + added);
+  }
+  report.Check(rig.Pass->GetExact() || hasSamples, "blocks: they are said not to be exact");
 }
 
 /// An overlay with the vertices of the surface: both together are a surface of the blended colour.
@@ -181,8 +223,7 @@ void CheckOverlay(Report& report, Rig& rig, const Setup& setup)
     color.a = opacity;
     return color;
   };
-  const Tolerance bound =
-    ReferenceCompositor::RoundingBoundOfAnyStack(8, setup.FragmentStorage);
+  const Tolerance bound = ReferenceCompositor::RoundingBoundOfAnyStack(8, setup.FragmentStorage);
   for (const bool isReversed : { false, true })
   {
     rig.RemoveProps();
@@ -191,8 +232,8 @@ void CheckOverlay(Report& report, Rig& rig, const Setup& setup)
     const Image both = rig.Render();
     rig.RemoveProps();
     rig.AddPolyData(mesh, isReversed ? blend(above, below) : blend(below, above));
-    report.Compare(
-      isReversed ? "surface over its overlay" : "overlay on its surface", both, rig.Render(), bound + bound);
+    report.Compare(isReversed ? "surface over its overlay" : "overlay on its surface", both,
+      rig.Render(), bound + bound);
   }
 }
 
@@ -231,6 +272,7 @@ void CheckSamples(Report& report, const Setup& setup)
       FindBound(rig, setup, layers) + Rig::WindowTolerance());
     report.Check(rig.Pass->GetExact(), "4 samples: it is said not to be exact");
   }
+  CheckBlocks(report, rig, setup, Rig::WindowTolerance());
 }
 
 void CheckAll(Report& report, const Setup& setup)
@@ -240,6 +282,7 @@ void CheckAll(Report& report, const Setup& setup)
   CheckActors(report, rig, setup);
   CheckManyActors(report, rig, setup);
   CheckFaces(report, rig, setup);
+  CheckBlocks(report, rig, setup, {});
   CheckOverlay(report, rig, setup);
 }
 

@@ -151,8 +151,7 @@ vtkOITFailure vtkOITABufferEngine::Draw(const vtkOITFrame& frame, const vtkOITSe
   // What adds light adds up to any colour, so it is not bounded by the transmittance in front of it.
   this->Resolver.SetThreshold(
     frame.HasLight ? 0.0f : static_cast<float>(settings.TransmittanceThreshold));
-  this->Gather.SetUniforms(
-    [this, &task](vtkShaderProgram* program, vtkProp* prop)
+  this->Gather.SetUniforms([this, &task](vtkShaderProgram* program, vtkProp* prop)
     { this->SetUniforms(task, program, prop); });
   this->ChooseCapture(task);
   this->DrawSolidDepth(task);
@@ -236,9 +235,10 @@ vtkOITFailure vtkOITABufferEngine::DrawBand(const Task& task, std::int64_t& need
     this->ChooseShaders(task);
     if (this->Shaders.HasDrawOrder() && !vtkOITDrawsInOrder(task.Frame.Props))
     {
-      return vtkOITFailure("CoincidentLayers LAST_ON_TOP with mappers that draw parts of a prop apart, "
-                           "for composite data and glyphs, needs GL_EXT_shader_framebuffer_fetch "
-                           "without multisampling, or GL_ARB_fragment_shader_interlock");
+      return vtkOITFailure(
+        "CoincidentLayers LAST_ON_TOP with mappers that draw parts of a prop apart, "
+        "for composite data and glyphs, needs GL_EXT_shader_framebuffer_fetch "
+        "without multisampling, or GL_ARB_fragment_shader_interlock");
     }
     const std::int64_t largestPool = this->GetLargestPool(task);
     vtkOITFailure failure = this->Store.Reserve(task.Frame.Window, *task.Frame.Capabilities,
@@ -364,8 +364,7 @@ vtkOITFailure vtkOITABufferEngine::BeginBand(const Task& task)
 }
 
 //------------------------------------------------------------------------------
-void vtkOITABufferEngine::SetUniforms(
-  const Task& task, vtkShaderProgram* program, vtkProp* prop)
+void vtkOITABufferEngine::SetUniforms(const Task& task, vtkShaderProgram* program, vtkProp* prop)
 {
   // An actor may have been told to write depth; translucent ones must not.
   task.Frame.GLState->vtkglDepthMask(GL_FALSE);

@@ -34,10 +34,7 @@ struct vtkOITABufferShaders
   /// A node takes two texels instead of one.
   bool HasWideNodes() const { return this->FloatColor || this->Samples > 0; }
   /// Nodes are not in the order of drawing by themselves, so they keep it in one texel more.
-  bool HasDrawOrder() const
-  {
-    return this->LastOnTop && !this->HeadInTarget && !this->Interlock;
-  }
+  bool HasDrawOrder() const { return this->LastOnTop && !this->HeadInTarget && !this->Interlock; }
   int GetTexelsPerNode() const
   {
     return 1 + (this->HasWideNodes() ? 1 : 0) + (this->HasDrawOrder() ? 1 : 0);

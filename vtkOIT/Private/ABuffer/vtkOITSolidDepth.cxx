@@ -51,8 +51,8 @@ bool HasSolidColor(vtkMapper* mapper)
 bool CanBeSolid(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
-  return actor && actor->GetMapper() && !vtkOITAddsLight(prop) && actor->GetProperty()->GetOpacity() >= 1.0 &&
-    HasSolidColor(actor->GetMapper());
+  return actor && actor->GetMapper() && !vtkOITAddsLight(prop) &&
+    actor->GetProperty()->GetOpacity() >= 1.0 && HasSolidColor(actor->GetMapper());
 }
 }
 

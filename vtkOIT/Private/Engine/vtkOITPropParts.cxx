@@ -40,8 +40,9 @@ bool vtkOITAddsLight(vtkProp* prop)
 //------------------------------------------------------------------------------
 bool vtkOITDrawsInOrder(const std::vector<vtkProp*>& props)
 {
-  static constexpr std::array<const char*, 4> names = { "vtkOpenGLPolyDataMapper",
-    "vtkDataSetMapper", "vtkOpenGLSphereMapper", "vtkOpenGLStickMapper" };
+  static constexpr std::array<const char*, 5> names = { "vtkOpenGLPolyDataMapper",
+    "vtkDataSetMapper", "vtkOpenGLSphereMapper", "vtkOpenGLStickMapper",
+    "vtkOpenGLPointGaussianMapper" };
   return std::all_of(props.begin(), props.end(),
     [](vtkProp* prop)
     {

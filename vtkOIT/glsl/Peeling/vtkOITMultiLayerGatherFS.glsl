@@ -21,6 +21,13 @@ bool oitIsBefore(uvec2 a, uvec2 b)
   return a.x < b.x || (a.x == b.x && a.y < b.y);
 }
 
+// What makes room for a layer stays before those of its depth: they were drawn later.
+#ifdef OIT_LAST_ON_TOP
+#define OIT_OR_MAKES_ROOM(isBefore) (makesRoom = makesRoom || (isBefore))
+#else
+#define OIT_OR_MAKES_ROOM(isBefore) (isBefore)
+#endif
+
 // Ends with what does not fit in. Depths keep their flags out of the comparisons by being masked.
 #ifdef OIT_PAIRS
 void oitInsert(uint depth, vec4 color)
@@ -29,14 +36,15 @@ void oitInsert(uint depth, vec4 color)
   uint flags = slots[OIT_SLOTS - 1].z & ~OIT_DEPTH_MASK;
   slots[OIT_SLOTS - 1].z &= OIT_DEPTH_MASK;
   uint last = slots[OIT_SLOTS - 1].z;
+  bool makesRoom = false;
   for (int i = 0; i < OIT_SLOTS; ++i)
   {
     uvec2 first = slots[i].xy;
-    bool isBefore = layer.x < first.x;
+    bool isBefore = OIT_OR_MAKES_ROOM(layer.x < first.x);
     slots[i].xy = isBefore ? layer : first;
     layer = isBefore ? first : layer;
     uvec2 second = slots[i].zw;
-    isBefore = layer.x < second.x;
+    isBefore = OIT_OR_MAKES_ROOM(layer.x < second.x);
     slots[i].zw = isBefore ? layer : second;
     layer = isBefore ? second : layer;
   }
@@ -55,10 +63,11 @@ void oitInsert(uint depth, uint id, vec4 color)
   uvec4 layer = uvec4(depth, id, oitPack(color));
   uint more = slots[OIT_SLOTS - 1].x & OIT_MORE;
   slots[OIT_SLOTS - 1].x &= OIT_DEPTH_MASK;
+  bool makesRoom = false;
   for (int i = 0; i < OIT_SLOTS; ++i)
   {
     uvec4 slot = slots[i];
-    bool isBefore = oitIsBefore(layer.xy, slot.xy);
+    bool isBefore = OIT_OR_MAKES_ROOM(oitIsBefore(layer.xy, slot.xy));
     slots[i] = isBefore ? layer : slot;
     layer = isBefore ? slot : layer;
   }
