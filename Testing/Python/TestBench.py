@@ -13,6 +13,7 @@ import vtkoit
 from vtkoit.bench import (
     accuracy,
     catalogue,
+    clouds,
     contenders,
     families,
     gpu,
@@ -169,6 +170,10 @@ class TestScenes(unittest.TestCase):
         self.assertEqual([s.name for s in catalogue.choose(["layers-?", "hull", "layers-4"])],
                          ["layers-1", "layers-2", "layers-4", "layers-8", "hull"])
         self.assertEqual(len(catalogue.choose(None, True)), len(catalogue.QUICK))
+        self.assertEqual(len(catalogue.choose(["volumes"])), len(clouds.VARIANTS) * len(clouds.LAYERS))
+        self.assertEqual([s.name for s in catalogue.choose(["volumes-60"])],
+                         ["volumes-60-%d" % n for n in clouds.LAYERS]
+                         + ["volumes-60-shaded-%d" % n for n in clouds.LAYERS])
         with self.assertRaisesRegex(Error, "no such scene or file"):
             catalogue.choose(["nothing"])
 
@@ -188,6 +193,52 @@ class TestScenes(unittest.TestCase):
             self.assertEqual(values, sorted(set(values)), family)
         sizes = [s.size for s in catalogue.choose(["pixels"])]
         self.assertEqual(sizes, [(n, n) for n in families.FAMILIES["pixels"]])
+
+
+class TestVolumes(unittest.TestCase):
+    def stage(self, name, size=(24, 20)):
+        chosen = [s for s in catalogue.all_scenes() if s.name == name]
+        return stage.Stage(chosen[0], size)
+
+    def test_what_a_family_is_made_of(self):
+        for name, family, samples, shade, layers in (("volumes-60-4", "volumes-60", 60, False, 4),
+                                                     ("volumes-240-shaded-0", "volumes-240-shaded", 240, True, 0)):
+            here = self.stage(name)
+            facts = here.facts()
+            self.assertEqual((facts["family"], facts["value"], facts["props"]), (family, layers, 1 + layers))
+            self.assertTrue(here.has_volumes())
+            for one, factor in ((here, 1), (here.finer(8), 8)):
+                volume, = stage.volumes_of(one.renderer())
+                low, high = volume.GetBounds()[4:]
+                self.assertAlmostEqual((high - low) / volume.GetMapper().GetSampleDistance(), samples * factor)
+                self.assertEqual(bool(volume.GetProperty().GetShade()), shade)
+        self.assertFalse(self.stage("one-sphere").has_volumes())
+
+    def test_methods_against_fine_samples(self):
+        """VTK's dual depth peeling and ours draw layers in a volume, blending draws the volume over them."""
+        here = self.stage("volumes-60-4")
+        right = truth.find(here)
+        self.assertEqual((right.source, right.layers), ("samples", 4))
+        self.assertLess(right.cross_check, 3.0)
+        errors = {}
+        for name in ("blend", "vtk-dual", "auto", "abuffer"):
+            contender = here.contender(name)
+            contender.render()
+            pixels = vtkoit.picture.grab(contender.window)[..., :3]
+            contender.close()
+            errors[name] = accuracy.measure(pixels, right.color, right.covered).max
+        self.assertGreater(errors["blend"], 8.0)
+        for name in ("auto", "abuffer"):
+            self.assertLessEqual(errors[name], errors["vtk-dual"] + 1.0, name)
+
+    def test_scenes_as_in_practice(self):
+        for name in ("flow", "smoke"):
+            contender = self.stage(name).contender("auto")
+            contender.render()
+            pixels = vtkoit.picture.grab(contender.window)[..., :3]
+            self.assertGreater(pixels.std(), 10.0, name)
+            self.assertGreater(contender.statistics().layers, 1, name)
+            contender.close()
 
 
 class TestContenders(unittest.TestCase):

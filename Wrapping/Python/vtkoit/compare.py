@@ -7,14 +7,12 @@ import os
 
 import numpy
 
-from . import camera, picture, scene
+from . import camera, contents, picture, scene
 from .bench import contenders, machine, measure, record, tables, truth
 from .bench.stage import SurfaceStage
 from .bench.store import slug
 from .errors import Error, printable
-from .read import read_all
 from .render import SceneOptions
-from .surfaces import make_surfaces
 from .windows import headless
 
 SETTINGS = measure.Settings(frames=5, budget=1.5, turn=0.5, longest=0.0)
@@ -29,9 +27,7 @@ def run(arguments, progress):
     for name in names:
         contenders.parse(name)
     names = list(dict.fromkeys([measure.REFERENCE] + names))
-    inputs = read_all(arguments.inputs, progress, options.raw, options.spacing)
-    surfaces, notes = make_surfaces(inputs, options.request, progress)
-    del inputs
+    drawn = contents.load(arguments.inputs, options, progress)
     try:
         headless()
         os.makedirs(arguments.output, exist_ok=True)
@@ -41,14 +37,14 @@ def run(arguments, progress):
         raise Error("%s: cannot be made: %s" % (arguments.output, error.strerror)) from None
 
     def make_renderer():
-        renderer = scene.build(surfaces, options.style)
+        renderer = scene.build(drawn.surfaces, options.style, drawn.volumes)
         camera.place(renderer, options.camera, options.up, options.zoom, arguments.parallel,
                      options.size[0] / options.size[1])
         return renderer
 
     name = printable(os.path.basename(os.path.normpath(arguments.inputs[0])))
-    title = "%d surface%s" % (len(surfaces), "s"[:len(surfaces) != 1])
-    stage = SurfaceStage(name, title, make_renderer, surfaces, options.size)
+    stage = SurfaceStage(name, contents.count(drawn), make_renderer, drawn.surfaces, options.size,
+                         drawn.volumes)
     progress.begin("%s: truth" % name)
     right = truth.find(stage)._asdict()
     results = []
@@ -65,7 +61,7 @@ def run(arguments, progress):
     tables.write_csv(os.path.join(arguments.output, "compare.csv"), results, described)
     tables.write_json(os.path.join(arguments.output, "compare.json"), results, described, {})
     progress.clear()
-    for note in notes:
+    for note in drawn.notes:
         print(note)
     print(machine.line(described))
     print(tables.LEGEND)

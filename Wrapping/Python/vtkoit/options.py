@@ -19,7 +19,8 @@ _MAIN = """examples:
 
 _RENDER = """Volumes and grids give isosurfaces (--isosurface) or label surfaces (--labels), surfaces are drawn
 as they are. Without either option a volume of few whole numbers is drawn by labels, any other by two
-isovalues, which are printed. Several pictures (png, tif, ...) of one format make one volume.
+isovalues, which are printed. With --volume they are drawn as volumes, and the surfaces that are asked for stand
+among them in the right order. Several pictures (png, tif, ...) of one format make one volume.
 
 examples:
   {prog} ironProt.vtk --isosurface 40 80 120 --opacity 0.2 -o protein.png
@@ -27,6 +28,7 @@ examples:
   {prog} disk.ex2 --isosurface 400 600 --contour Temp --scalars Pres --colormap coolwarm -o disk.png
   {prog} slices/*.tif --spacing 0.5,0.5,2 --isosurface 100 --camera -y -o scan.png
   {prog} quarter.* --raw 64x64:uint16 --spacing 3.2,3.2,1.5 -o head.png
+  {prog} head.mhd --volume --isosurface 1150 --opacity-function 500:0 1150:0.05 -o bone.png
   {prog} outer.stl inner.stl --color steelblue tomato --opacity 0.3 1 --size 1600x1200 -o parts.png
   {prog} skull.stl --opacity 0.4 --method dual:TransmittanceThreshold=0 -o skull.png"""
 
@@ -66,6 +68,16 @@ examples:
   {prog} --list"""
 
 
+_RUN = """Runs a program whose renderers are VTK's so that vtkOIT draws what is translucent; nothing in the
+program is changed. What is known of a program is used: --preload for f3d, --respect for paraview and
+its servers. Where vtkOIT cannot draw, such as with another VTK, a line says why and the program runs
+as without it.
+
+examples:
+  {prog} mayavi2
+  {prog} python3 script.py
+  {prog} --method dual --log f3d engine.vtp"""
+
 _METHODS = "names, with properties as METHOD:NAME=VALUE,NAME=VALUE"
 
 
@@ -101,8 +113,21 @@ def parser(prog="vtkoit"):
                           help="folder of the pictures, made if missing (default: %(default)s)")
     showcase.add_argument("--size", default="500x500", metavar="WxH",
                           help="size of each picture in pixels (default: %(default)s)")
+    _add_run(add("run", "run a VTK application with exact translucency", _RUN))
     _add_bench(add("bench", "measure time and error of all methods, VTK's too", _BENCH))
     return top
+
+
+def _add_run(run):
+    option = run.add_argument
+    option("--method", metavar="M", help="see the command info (default: auto)")
+    option("--respect", action="store_true", help="leave renderers to VTK whose depth peeling is off")
+    option("--log", action="store_true",
+           help="print a line for each renderer that is reached, and statistics at the end")
+    option("--preload", action=argparse.BooleanOptionalAction,
+           help="replace VTK's translucent passes where the program makes them, for programs with a "
+                "private chain of passes (default: where the program is known to need it)")
+    option("program", nargs=argparse.REMAINDER, metavar="COMMAND", help="the program and its arguments")
 
 
 def _add_bench(bench):
@@ -156,11 +181,13 @@ def _add_scene(render, size):
     option = what.add_argument
     option("--isosurface", nargs="+", metavar="V", help="isovalues of volumes and grids")
     option("--contour", metavar="NAME",
-           help="array that --isosurface or --labels is about (default: the active scalars)")
+           help="array that --isosurface, --labels or --volume is about (default: the active scalars)")
     option("--labels", nargs="*", metavar="L",
            help="one surface for each label of a label volume; all but 0, or those given")
     option("--smooth", type=int, default=20, metavar="N",
            help="smoothing of label surfaces, iterations, 0 for none (default: %(default)s)")
+    option("--volume", action="store_true",
+           help="draw image data as volumes; as surfaces, too, where --isosurface or --labels is given")
     option("--raw", metavar="WxH[xD]:TYPE[:big]",
            help="read files without a header, TYPE such as uint16; one file, or one a slice")
     option("--spacing", metavar="X,Y,Z", help="distances between the samples of volumes")
@@ -169,12 +196,19 @@ def _add_scene(render, size):
     option = look.add_argument
     option("--opacity", nargs="+", metavar="A",
            help="from 0 to 1, one a surface in their order, the last one for the rest")
+    option("--opacity-function", nargs="+", metavar="V:A",
+           help="opacities of a volume's values, linear in between and constant beyond (default: by its "
+                "histogram, printed)")
+    option("--opacity-length", metavar="L",
+           help="length of a path that has these opacities (default: a hundredth of the volume's diagonal)")
+    option("--shade", action="store_true", help="light volumes, by their gradients")
     option("--color", nargs="+", metavar="C", help="names, #rrggbb or r,g,b; repeated")
     option("--scalars", metavar="NAME", help="colour the surfaces by this array")
     option("--colormap", default="viridis", metavar="NAME",
-           help="viridis plasma inferno coolwarm gray rainbow, each also reversed: viridis-r "
+           help="of --scalars, isosurfaces and volumes: viridis plasma inferno coolwarm gray rainbow, each also reversed: viridis-r "
                 "(default: %(default)s)")
-    option("--range", metavar="LOW,HIGH", help="the values at the colour map's two ends")
+    option("--range", metavar="LOW,HIGH", help="the values at the colour map's two ends (default: all, of "
+           "volumes those that are seen)")
     option("--background", default="white", metavar="C",
            help="a colour, or transparent (default: %(default)s)")
     view = render.add_argument_group("view")
@@ -212,18 +246,22 @@ def without_value(arguments):
 
 
 def joined(arguments):
-    """Joins --camera -x into --camera=-x, which argparse would take for an option; list of str."""
+    """Joins --camera -x into --camera=-x, which argparse would take for an option, and moves --volume to the end, so that
+    files may stand on both its sides; list of str."""
     result = []
     for argument in arguments:
         if result and result[-1] in ("--camera", "--up") and argument[:1] == "-":
             result[-1] += "=" + argument
         else:
             result.append(argument)
+    end = result.index("--") if "--" in result else len(result)
+    if "--volume" in result[:end]:
+        result = [each for each in result[:end] if each != "--volume"] + ["--volume"] + result[end:]
     return result
 
 
 # What names files, whose names may be any bytes.
-_PATHS = ("inputs", "output", "scenes", "document")
+_PATHS = ("inputs", "output", "scenes", "document", "program")
 
 
 def check(options):

@@ -4,12 +4,12 @@
 
 import time
 
-from . import camera, colors, method_option, picture, scene, streams
+from . import camera, colors, contents, method_option, picture, scene, streams, volumes
 from .drawn import Drawn
 from .errors import Error, capture
 from .hook import install
-from .read import parse_raw, read_all
-from .surfaces import Request, make_surfaces
+from .read import parse_raw
+from .surfaces import Request
 from .values import parse_numbers, parse_size, parse_whole_numbers
 from .windows import headless, make_window
 
@@ -20,10 +20,8 @@ def run(arguments, progress):
     """Renders what the command line says; arguments: argparse.Namespace of cli. Raises Error."""
     # Everything that can be wrong with the options is found before the work.
     options = _Options(arguments)
-    inputs = read_all(arguments.inputs, progress, options.raw, options.spacing)
-    surfaces, notes = make_surfaces(inputs, options.request, progress)
-    del inputs
-    renderer = scene.build(surfaces, options.style)
+    drawn = contents.load(arguments.inputs, options, progress)
+    renderer = scene.build(drawn.surfaces, options.style, drawn.volumes)
     try:
         headless()
     except RuntimeError as error:
@@ -37,18 +35,18 @@ def run(arguments, progress):
     progress.clear()
     if warning:
         streams.complain("%s: warning: %s\n" % (arguments.name, warning))
-    for note in notes:
+    for note in drawn.notes:
         print(note)
-    triangles = sum(surface.data.GetNumberOfPolys() for surface in surfaces)
-    print("%s: %dx%d, %d surface%s, %s polygons, %s, %.2f s" % (
-        arguments.output, *options.size, len(surfaces), "s"[:len(surfaces) != 1],
-        format(triangles, ","), _what_was_drawn(translucency), seconds))
+    triangles = sum(surface.data.GetNumberOfPolys() for surface in drawn.surfaces)
+    print("%s: %dx%d, %s, %s polygons, %s, %.2f s" % (
+        arguments.output, *options.size, contents.count(drawn), format(triangles, ","),
+        _what_was_drawn(translucency, drawn.volumes), seconds))
 
 
-def _what_was_drawn(translucency):
+def _what_was_drawn(translucency, volumes_):
     layers = translucency.GetMaximumDepthComplexity()
     if translucency.GetNumberOfGeometryPasses() == 0:
-        return "nothing translucent"
+        return "no translucent surface" if volumes_ else "nothing translucent"
     if layers < 0:
         return translucency.GetAlgorithmName()
     return "up to %d layers by %s" % (layers, translucency.GetAlgorithmName())
@@ -90,6 +88,7 @@ class SceneOptions:
         colors.check_colormap(arguments.colormap)
         self.style = self._style(arguments)
         self.request = self._request(arguments)
+        self.volume = self._volume(arguments)
 
     @staticmethod
     def _spacing(text):
@@ -132,6 +131,21 @@ class SceneOptions:
             isovalues=parse_numbers("--isosurface", arguments.isosurface)
             if arguments.isosurface else None,
             contour=arguments.contour, labels=labels, smoothing=arguments.smooth)
+
+    @staticmethod
+    def _volume(arguments):
+        """What to make of image data, volumes.Request; None where it is not drawn as volumes."""
+        if not arguments.volume:
+            for name in ("opacity_function", "opacity_length", "shade"):
+                if getattr(arguments, name):
+                    raise Error("--%s is about volumes; give --volume, too" % name.replace("_", "-"))
+            return None
+        opacities = length = None
+        if arguments.opacity_function:
+            opacities = volumes.parse_opacities(arguments.opacity_function)
+        if arguments.opacity_length is not None:
+            length = parse_numbers("--opacity-length", [arguments.opacity_length], 1e-12, 1e12)[0]
+        return volumes.Request(arguments.contour, opacities, length, arguments.shade)
 
 
 class _Options(SceneOptions):

@@ -14,6 +14,7 @@ from vtkmodules.vtkRenderingCore import (
 from . import colors
 from .errors import Error
 from .surfaces import array_list
+from .volumes import actor_of
 
 Style = collections.namedtuple("Style", "opacities colors scalars colormap range background")
 Style.__doc__ = """opacities: list of float, one a surface, the last for the rest; None for a choice.
@@ -22,8 +23,9 @@ or None. colormap: str. range: (low, high), float, of the colours, or None for t
 background: (r, g, b), or None for transparent."""
 
 
-def build(surfaces, style):
-    """A vtkRenderer with one vtkActor for each Surface, in their order. Raises Error."""
+def build(surfaces, style, volumes=()):
+    """A vtkRenderer with one vtkActor for each Surface, in their order, and one vtkVolume for each
+    volumes.Volume. Raises Error."""
     renderer = vtkRenderer()
     if style.background is None:
         renderer.SetBackground(0, 0, 0)
@@ -53,6 +55,8 @@ def build(surfaces, style):
         material.SetSpecularPower(30)
         material.SetPointSize(3)
         renderer.AddActor(actor)
+    for volume in volumes:
+        renderer.AddVolume(actor_of(volume, style.colormap, style.range))
     return renderer
 
 

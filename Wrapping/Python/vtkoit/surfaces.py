@@ -14,7 +14,7 @@ from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from .errors import Error, capture
-from .read import leaves
+from .read import Input, leaves
 
 Surface = collections.namedtuple("Surface", "name data kind value")
 Surface.__doc__ = """name (str, for messages), data (vtkPolyData), kind ("mesh", "isosurface" or
@@ -25,11 +25,17 @@ Request.__doc__ = """What to make of volumes: isovalues (list of float or None),
 the array or None), labels (None, or list of int, empty for all), smoothing (int, iterations)."""
 
 
-def make_surfaces(inputs, request, progress):
+def make_surfaces(inputs, request, progress, are_volumes=False):
     """The surfaces of what was read: (list of Surface, list of str with what was chosen for the user).
 
-    inputs: list of read.Input. Raises Error when nothing comes out.
+    inputs: list of read.Input. are_volumes: bool, whether image data is drawn as volumes already, and gives
+    surfaces only where the request has some. Raises Error when nothing comes out.
     """
+    if are_volumes and request.isovalues is None and request.labels is None:
+        inputs = [Input(name, leaf) for item in inputs for name, leaf in leaves(item.data, item.name)
+                  if not (leaf.IsA("vtkImageData") and is_volume(leaf))]
+        if not inputs:
+            return [], []
     surfaces = []
     notes = []
     for item in inputs:
@@ -50,21 +56,21 @@ def _of_leaf(name, data, request, notes, progress):
         raise Error("%s: holds a %s, which has no surface" % (name, data.GetClassName()))
     if data.IsA("vtkPolyData"):
         return [Surface(name, _with_normals(data, name, progress), "mesh", None)]
-    if request.labels is not None and not _is_volume(data):
+    if request.labels is not None and not is_volume(data):
         notes.append("%s: not a volume, drawn as it is; --labels is for volumes" % name)
     elif request.labels is not None:
         return _labels(name, data, request, progress)
     if request.isovalues is not None:
         return _isosurfaces(name, data, request, request.isovalues, progress)
-    if _is_volume(data) and data.GetPointData().GetNumberOfArrays() + \
+    if is_volume(data) and data.GetPointData().GetNumberOfArrays() + \
             data.GetCellData().GetNumberOfArrays() > 0:
         return _default(name, data, request, notes, progress)
     return [Surface(name, _with_normals(_outside(data, name, progress), name, progress),
                     "mesh", None)]
 
 
-def _is_volume(data):
-    """Whether it is a grid of samples in three dimensions along the axes."""
+def is_volume(data):
+    """Whether a vtkDataSet is a grid of samples in three dimensions along the axes."""
     return (data.IsA("vtkImageData") or data.IsA("vtkRectilinearGrid")) and \
         min(data.GetDimensions()) > 1
 
@@ -74,7 +80,7 @@ def _default(name, data, request, notes, progress):
     from .labels import label_values, looks_like_labels
     from .otsu import thresholds
 
-    prepared, array = _field(name, data, request.contour)
+    prepared, array = field(name, data, request.contour)
     if data.IsA("vtkImageData") and looks_like_labels(array):
         notes.append("%s: few whole numbers, drawn as the %d labels of %s (--isosurface V draws "
                      "isosurfaces)" % (name, len(label_values(array)), array.GetName()))
@@ -97,7 +103,7 @@ def _labels(name, data, request, progress):
     if not data.IsA("vtkImageData"):
         raise Error("%s: --labels needs a volume with constant spacing, not a %s"
                     % (name, data.GetClassName()))
-    prepared, array = _field(name, data, request.contour, points_only=False)
+    prepared, array = field(name, data, request.contour, points_only=False)
     found = label_values(array) if not request.labels else request.labels
     result = []
     for label in found:
@@ -110,7 +116,7 @@ def _labels(name, data, request, progress):
 
 
 def _isosurfaces(name, data, request, isovalues, progress):
-    prepared, array = _field(name, data, request.contour)
+    prepared, array = field(name, data, request.contour)
     result = []
     for value in isovalues:
         fast = data.IsA("vtkImageData") and min(data.GetDimensions()) > 1
@@ -128,7 +134,7 @@ def _isosurfaces(name, data, request, isovalues, progress):
     return result
 
 
-def _field(name, data, contour, points_only=True):
+def field(name, data, contour, points_only=True):
     """(data with point arrays, the vtkDataArray of its points to contour), vectors as magnitudes."""
     prepared = data.NewInstance()
     prepared.ShallowCopy(data)

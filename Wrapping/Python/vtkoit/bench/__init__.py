@@ -6,6 +6,7 @@ next to VTK's own methods.
 scene.py          what a scene is made of
 families.py       procedural scenes that change one thing at a time
 sciviz.py         scenes as they are drawn in practice, data.py those of data files
+clouds.py         scenes of volumes
 catalogue.py      all scenes by name
 stage.py          a scene as every method gets it
 contenders.py     all methods by name, each in a window of its own

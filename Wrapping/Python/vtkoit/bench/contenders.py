@@ -85,7 +85,7 @@ class Contender:
 
     def __init__(self, name, renderer, size):
         """name: str. renderer: a vtkRenderer of its own. size: (width, height), pixels."""
-        from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass
+        from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkVolumetricPass
 
         self.name = name
         self.renderer = renderer
@@ -93,6 +93,10 @@ class Contender:
         self.drawn = self.oit and Drawn(parse(name)[0], self.oit)
         self.steps = vtkRenderStepsPass()
         self.steps.SetTranslucentPass(translucent)
+        # What can draws volumes between the layers, otherwise they are drawn over them.
+        if hasattr(translucent, "SetVolumetricPass"):
+            translucent.SetVolumetricPass(vtkVolumetricPass())
+            self.steps.SetVolumetricPass(None)
         self.renderer.SetPass(self.steps)
         self.window = make_window(self.renderer, size)
         self.timer = None

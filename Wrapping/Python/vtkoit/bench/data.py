@@ -4,12 +4,12 @@
 
 import os
 
-from .. import camera, colors
+from .. import camera, colors, volumes
 from ..errors import printable
 from ..read import parse_raw, read_all
 from ..scene import opacity_of
 from ..surfaces import Request, make_surfaces
-from .scene import Part, Scene
+from .scene import Cloud, Part, Scene
 
 ENVIRONMENT = "VTKOIT_DATA"
 
@@ -69,6 +69,9 @@ def scenes():
     ]
     result = [_scene(name, title, paths, opacities, **request)
               for name, title, paths, request, opacities in found if os.path.exists(paths[0])]
+    if os.path.exists(slices[0]):
+        result.append(Scene("head-volume", "CT of a head as a volume, its skin and its bone as surfaces",
+                            lambda: _head_volume(slices), _look_up))
     if os.path.exists(path("bunny.ply")):
         result.append(Scene("bunnies", "a scanned mesh of 69 k triangles, 9 times, overlapping",
                             lambda: _bunnies(path("bunny.ply")), _look))
@@ -97,6 +100,20 @@ def _scene(name, title, paths, opacities, raw=None, spacing=None, isovalues=None
 
 def _look(renderer):
     camera.place(renderer)
+
+
+def _head_volume(slices):
+    inputs = read_all(slices, _Silent(), parse_raw("64x64:uint16"), (3.2, 3.2, 1.5))
+    surfaces, _ = make_surfaces(inputs, Request([500.0, 1150.0], None, None, 20), _Silent())
+    wanted = volumes.Request(None, [(500.0, 0.0), (900.0, 0.03), (1150.0, 0.03), (1400.0, 0.15)], 3.0, False)
+    made, _ = volumes.make_volumes(inputs, wanted)
+    return [Cloud(made[0], "inferno", (200.0, 1800.0), None)] + [
+        Part(surface.data, color, opacity) for surface, color, opacity in
+        zip(surfaces, ((0.9, 0.65, 0.5), (0.95, 0.93, 0.85)), (0.15, 0.5))]
+
+
+def _look_up(renderer):
+    camera.place(renderer, (60.0, 10.0), (0, 0, -1))
 
 
 def _bunnies(path):

@@ -98,10 +98,11 @@ def cost(path, results, family, dpi=90):
         line = sorted((r["value"], r["ms"]) for r in mine if r["method"] == method)
         style = _style(method, methods)
         axes.plot(*zip(*line), label=method, markersize=5, linewidth=1.2, **style)
-    if family not in _LINEAR:
-        axes.set_xscale("log")
-    axes.set_yscale("log")
     values = sorted({r["value"] for r in mine})
+    if family not in _LINEAR:
+        # From 0 on, linear as far as the second value.
+        axes.set_xscale("symlog", linthresh=values[1]) if values[0] == 0.0 else axes.set_xscale("log")
+    axes.set_yscale("log")
     axes.set_xticks(values)
     axes.set_xticks([], minor=True)
     from .families import short

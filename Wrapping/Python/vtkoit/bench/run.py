@@ -176,7 +176,7 @@ class Laboratory:
 
     def _too_slow(self, scene, name):
         """Why a method is left out of a scene: a smaller one of the family took too long."""
-        if scene.family not in ("layers", "triangles", "pixels"):
+        if (scene.family or "").split("-")[0] not in ("layers", "triangles", "pixels", "volumes"):
             return ""
         for result in self.results:
             if result["family"] == scene.family and result["method"] == name and \

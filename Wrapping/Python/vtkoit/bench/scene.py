@@ -14,15 +14,22 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
 
+from .. import volumes
+
 Part = collections.namedtuple("Part", "data color opacity kind radius texture")
 Part.__doc__ = """One prop: data (vtkPolyData), color ((r, g, b) in [0, 1]), opacity (float), kind ("surface",
 "unlit", "spheres" or "sticks": impostors around points or lines), radius (float, of impostors), texture
 (vtkTexture maker: a function without arguments, or None)."""
 Part.__new__.__defaults__ = ("surface", 0.0, None)
 
+Cloud = collections.namedtuple("Cloud", "volume colormap limits distance")
+Cloud.__doc__ = """One prop: volume (volumes.Volume), colormap (str), limits ((low, high), the values at the colour map's two
+ends, or None for those that are seen) and distance (float, between samples along a ray, or None for what the
+command render takes)."""
+
 Scene = collections.namedtuple("Scene", "name title make place size family value")
 Scene.__doc__ = """A scene: name (str), title (str, one line), make (function without arguments that returns a
-list of Part), place (function of a vtkRenderer that places its camera), size ((width, height) in pixels, or
+list of Part and Cloud), place (function of a vtkRenderer that places its camera), size ((width, height) in pixels, or
 None for the user's), family (str, the thing that changes from scene to scene, or None) and value (float, of
 that thing)."""
 Scene.__new__.__defaults__ = (None, None, None)
@@ -31,7 +38,7 @@ BACKGROUND = (1.0, 1.0, 1.0)
 
 
 def fill(scene, parts):
-    """A new vtkRenderer with an actor for each of the parts, list of Part, and the scene's camera."""
+    """A new vtkRenderer with a prop for each of the parts, list of Part and Cloud, and the scene's camera."""
     renderer = vtkRenderer()
     renderer.SetBackground(*BACKGROUND)
     renderer.SetBackgroundAlpha(1.0)
@@ -40,7 +47,10 @@ def fill(scene, parts):
     renderer.AddLight(light)
     renderer.SetAutomaticLightCreation(False)
     for part in parts:
-        renderer.AddActor(actor_of(part))
+        if isinstance(part, Cloud):
+            renderer.AddVolume(volumes.actor_of(*part))
+        else:
+            renderer.AddActor(actor_of(part))
     scene.place(renderer)
     return renderer
 
@@ -97,10 +107,15 @@ def impostors(points, color):
     return data
 
 
+def surfaces_of(parts):
+    """The Parts in a list of Part and Cloud, list."""
+    return [part for part in parts if isinstance(part, Part)]
+
+
 def triangles_of(parts):
-    """The number of triangles of a list of Part, int; impostors count as two."""
+    """The number of triangles of a list of Part and Cloud, int; impostors count as two."""
     number = 0
-    for part in parts:
+    for part in surfaces_of(parts):
         if part.kind in ("spheres", "sticks"):
             number += 2 * part.data.GetNumberOfPoints()
         else:

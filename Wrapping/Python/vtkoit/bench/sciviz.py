@@ -33,7 +33,8 @@ def scenes():
               _look_at_grass),
         Scene("foliage", "4000 leaves as textured quads",
               lambda: foliage(4000, 0.8), look_at_spheres),
-        Scene("scan", "a knot of 200 k triangles seen through itself", _scan, look_at_spheres),
+        Scene("scan", "a knot of 200 k triangles seen through itself", lambda: knot(0.4),
+              look_at_spheres),
     ]
 
 
@@ -268,10 +269,10 @@ def _leaf_texture(opacity):
                                   opacity * numpy.clip(4.0 * inside, 0, 1)]))
 
 
-def _scan():
-    """A knotted surface with bumps, as a scanner would give it."""
+def knot(opacity):
+    """A knotted surface, list of Part."""
     t = numpy.linspace(0, 2 * math.pi, 1001)
     line = numpy.c_[(2 + numpy.cos(3 * t)) * numpy.cos(2 * t),
                     (2 + numpy.cos(3 * t)) * numpy.sin(2 * t), numpy.sin(3 * t)] / 3.0
     tube = _tube(line, 0.22, 100)
-    return [Part(tube, (0.85, 0.75, 0.55), 0.4)]
+    return [Part(tube, (0.85, 0.75, 0.55), opacity)]

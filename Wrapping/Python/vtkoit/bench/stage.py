@@ -2,13 +2,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A scene as the methods get it: the same props, camera and background in a renderer for each."""
 
+import copy
+
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk
 
 from ..picture import grab
 from ..windows import make_window
 from .contenders import Contender, parse
-from .scene import Part, actor_of, append, fill, triangles_of
+from .scene import Cloud, Part, actor_of, append, fill, surfaces_of, triangles_of
+
+
+def volumes_of(renderer):
+    """The vtkVolumes of a vtkRenderer, list."""
+    props = renderer.GetVolumes()
+    props.InitTraversal()
+    return [props.GetNextVolume() for _ in range(props.GetNumberOfItems())]
 
 
 class Stage:
@@ -49,7 +58,7 @@ class Stage:
         return Contender(name, renderer, self.size)
 
     def behind(self, background_alpha=1.0):
-        """The picture without the translucent props, array of uint8, height x width x 4, top row
+        """The picture without the translucent props and the volumes, array of uint8, height x width x 4, top row
         first. background_alpha: float, of the background."""
         renderer = self.renderer()
         renderer.SetBackgroundAlpha(background_alpha)
@@ -59,6 +68,8 @@ class Stage:
             actor = actors.GetNextActor()
             if actor.HasTranslucentPolygonalGeometry():
                 actor.SetVisibility(False)
+        for volume in volumes_of(renderer):
+            volume.SetVisibility(False)
         window = make_window(renderer, self.size)
         window.Render()
         pixels = grab(window)
@@ -66,20 +77,39 @@ class Stage:
         window.Finalize()
         return pixels
 
+    def has_volumes(self):
+        """Whether there are volumes in it, bool."""
+        return bool(volumes_of(self.renderer()))
+
+    def finer(self, factor):
+        """The same Stage, whose volumes get so many times the samples, int."""
+        result = copy.copy(self)
+
+        def renderer():
+            made = self.renderer()
+            for volume in volumes_of(made):
+                mapper = volume.GetMapper()
+                mapper.SetSampleDistance(mapper.GetSampleDistance() / factor)
+            return made
+
+        result.renderer = renderer
+        return result
+
     def _translucent(self):
-        return [part for part in self.parts if part.opacity < 1.0 or part.texture]
+        return [part for part in surfaces_of(self.parts) if part.opacity < 1.0 or part.texture]
 
 
 class SurfaceStage(Stage):
-    """Surfaces of files with the look and the view of the command render."""
+    """What files hold, with the look and the view of the command render."""
 
-    def __init__(self, name, title, make_renderer, surfaces, size):
+    def __init__(self, name, title, make_renderer, surfaces, size, volumes=()):
         """name, title: str. make_renderer: function without arguments that returns a new vtkRenderer.
-        surfaces: list of surfaces.Surface. size: (width, height), pixels."""
+        surfaces: list of surfaces.Surface. size: (width, height), pixels. volumes: list of volumes.Volume."""
         # pylint: disable=super-init-not-called
         self.size = size
         self.make_renderer = make_renderer
-        self.parts = [Part(surface.data, (1, 1, 1), 1.0) for surface in surfaces]
+        self.parts = [Part(surface.data, (1, 1, 1), 1.0) for surface in surfaces] \
+            + [Cloud(volume, None, None, None) for volume in volumes]
         self.name = name
         self.title = title
 

@@ -6,6 +6,7 @@ import csv
 import json
 
 from .measure import REFERENCE
+from .truth import FINER
 
 DUAL = "vtk-dual"
 
@@ -49,9 +50,11 @@ def heading(result):
     if result.get("truth"):
         text += "; truth: " + {"fragments": "fragments in double precision",
                                "abuffer": "the picture of abuffer with float colours",
-                               "peel": "the picture of peel, in steps of 8 bits"}[result["truth"]]
+                               "peel": "the picture of peel, in steps of 8 bits",
+                               "samples": "the picture of abuffer with %d times the samples" % FINER}[result["truth"]]
         if result.get("cross_check") is not None:
-            text += ", peel differs by at most %.2f steps" % result["cross_check"]
+            text += ", %s differs by at most %.2f steps" % (
+                "vtk-dual with as many" if result["truth"] == "samples" else "peel", result["cross_check"])
     return text
 
 
