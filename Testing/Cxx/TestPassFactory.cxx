@@ -45,8 +45,8 @@ int TestPassFactory(int, char*[])
 
     std::ostringstream text;
     pass->Print(text);
-    for (const char* property : { "TranslucentPass", "VolumetricPass", "MaximumNumberOfPeels", "OcclusionRatio",
-           "MaximumBufferSize", "NumberOfGeometryPasses", "NumberOfFragments",
+    for (const char* property : { "TranslucentPass", "VolumetricPass", "MaximumNumberOfPeels",
+           "OcclusionRatio", "MaximumBufferSize", "NumberOfGeometryPasses", "NumberOfFragments",
            "MaximumDepthComplexity", "BufferSizeInBytes", "Exact", "ErrorBound" })
     {
       report.Check(

@@ -72,7 +72,8 @@ std::vector<Mode> MakeModes()
   };
   return {
     { "as it is", [](Rig&, vtkVolume*) {}, {}, {} },
-    { "jittering", [](Rig&, vtkVolume* v) { GetMapper(v)->UseJitteringOn(); }, {}, ofSample + ofSample },
+    { "jittering", [](Rig&, vtkVolume* v) { GetMapper(v)->UseJitteringOn(); }, {},
+      ofSample + ofSample },
     { "image sample distance 3",
       [](Rig&, vtkVolume* v) { GetMapper(v)->SetImageSampleDistance(3.0f); }, {}, {} },
     { "maximum", [](Rig&, vtkVolume* v) { GetMapper(v)->SetBlendModeToMaximumIntensity(); },
@@ -183,8 +184,8 @@ void CheckIsosurfaces(Report& report, const Setup& setup)
   const Tolerance ofOpacity = { 2.0 / 255.0, 2.0 / 255.0 };
   report.Compare("isosurfaces", rig.Render(),
     Everywhere(ReferenceCompositor::Composite(all, rig.GetBackground())),
-    ReferenceCompositor::RoundingBound(all, rig.GetBackground(), setup.FragmentStorage) + OfSamples +
-      ofOpacity);
+    ReferenceCompositor::RoundingBound(all, rig.GetBackground(), setup.FragmentStorage) +
+      OfSamples + ofOpacity);
 }
 
 /// From a camera in perspective, the length of a ray grows with its slope.
@@ -250,8 +251,8 @@ void CheckMultiVolume(Report& report, const Setup& setup)
   const double step = left.GetSampleDistance();
   report.Compare("two volumes of one mapper", Crop(rig.Render(), 2, 0, 6, 12),
     Everywhere(ReferenceCompositor::Composite(all, rig.GetBackground())),
-    ReferenceCompositor::RoundingBound(all, rig.GetBackground(), setup.FragmentStorage) + OfSamples +
-      Tolerance{ left.Opacity * step, left.Opacity * step });
+    ReferenceCompositor::RoundingBound(all, rig.GetBackground(), setup.FragmentStorage) +
+      OfSamples + Tolerance{ left.Opacity * step, left.Opacity * step });
   report.Check(rig.Pass->GetExact(), "two volumes of one mapper: not exact");
 }
 

@@ -54,7 +54,8 @@ void Compare(Report& report, const Setup& setup, const std::string& what,
   const std::vector<Layer> all = PutBetween(layers, slabs);
   report.Compare(what, rig.Render(),
     Everywhere(ReferenceCompositor::Composite(all, rig.GetBackground())),
-    ReferenceCompositor::RoundingBound(all, rig.GetBackground(), setup.FragmentStorage) + OfSamples);
+    ReferenceCompositor::RoundingBound(all, rig.GetBackground(), setup.FragmentStorage) +
+      OfSamples);
   report.Check(rig.Pass->GetExact(), what + ": not exact");
   const auto props = static_cast<int>(layers.size() + slabs.size());
   report.Check(rig.Pass->GetNumberOfRenderedProps() == props, what + ": other props are drawn");
@@ -66,12 +67,14 @@ void CheckSeveral(Report& report, const Setup& setup)
   const Slab second = MakeThin(0.4f, 0.5f, { 0.2f, 0.6f, 1.0f });
   const Slab third = MakeThin(0.6f, 0.7f, { 0.4f, 1.0f, 0.4f });
   const std::vector<Layer> inside{ { 0.25f, Red }, { 0.45f, Green }, { 0.65f, Blue } };
-  const std::vector<Layer> between{ { 0.1f, Red }, { 0.35f, Green }, { 0.55f, Blue }, { 0.8f, Red } };
+  const std::vector<Layer> between{ { 0.1f, Red }, { 0.35f, Green }, { 0.55f, Blue },
+    { 0.8f, Red } };
   std::vector<Slab> slabs{ first, second, third };
   const auto isNearer = [](const Slab& a, const Slab& b) { return a.Nearest < b.Nearest; };
   do
   {
-    const std::string order = std::to_string(slabs[0].Nearest) + " " + std::to_string(slabs[1].Nearest);
+    const std::string order =
+      std::to_string(slabs[0].Nearest) + " " + std::to_string(slabs[1].Nearest);
     Compare(report, setup, "quads in three volumes, " + order, inside, slabs);
     Compare(report, setup, "quads between three volumes, " + order, between, slabs);
     Compare(report, setup, "one quad, three volumes, " + order, { { 0.45f, Red } }, slabs);
@@ -110,7 +113,8 @@ void CheckOver(Report& report, const Setup& setup, const std::string& what, bool
     const std::string where = what + ", quad at " + std::to_string(depth);
     const bool isRight = depth > slab.Farthest || (isBehindRight && depth < slab.Nearest);
     report.Check(rig.Pass->GetExact() == isRight, where + ": exact is wrong");
-    report.Check(lines.GetTexts().size() == (isRight ? 0 : 1), where + ": lines: " + lines.Describe());
+    report.Check(
+      lines.GetTexts().size() == (isRight ? 0 : 1), where + ": lines: " + lines.Describe());
     if (isRight)
     {
       const std::vector<Layer> all = PutBetween(layers, { slab });

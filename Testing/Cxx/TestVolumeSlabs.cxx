@@ -100,7 +100,8 @@ void CheckSampleDistances(Report& report, const Setup& setup)
     Slab slab;
     slab.Samples = samples;
     CheckCase(report, setup, slab,
-      { std::to_string(samples) + " samples", { { 0.41f, Red }, { 0.47f, Green }, { 0.61f, Blue } } });
+      { std::to_string(samples) + " samples",
+        { { 0.41f, Red }, { 0.47f, Green }, { 0.61f, Blue } } });
   }
 }
 
@@ -120,7 +121,8 @@ void CheckBands(Report& report, const Setup& setup)
   const std::vector<Layer> all = PutBetween(layers, { slab });
   report.Compare("bands", rig.Render(),
     Everywhere(ReferenceCompositor::Composite(all, rig.GetBackground())),
-    ReferenceCompositor::RoundingBound(all, rig.GetBackground(), setup.FragmentStorage) + OfSamples);
+    ReferenceCompositor::RoundingBound(all, rig.GetBackground(), setup.FragmentStorage) +
+      OfSamples);
   report.Check(rig.Pass->GetNumberOfGeometryPasses() > 1, "bands: one pass");
 }
 
@@ -160,8 +162,8 @@ void CheckOpaque(Report& report, const Setup& setup)
     PutBetween({ { 0.4f, Red }, { 0.6f, { 0.0f, 0.0f, 1.0f, 1.0f } } }, { slab });
   report.Compare("opaque inside", rig.Render(),
     Everywhere(ReferenceCompositor::Composite(all, rig.GetBackground())),
-    ReferenceCompositor::RoundingBound(all, rig.GetBackground(), setup.FragmentStorage) + OfSamples +
-      ofLast);
+    ReferenceCompositor::RoundingBound(all, rig.GetBackground(), setup.FragmentStorage) +
+      OfSamples + ofLast);
 }
 
 /// A window of samples, as windows have them.
@@ -180,8 +182,8 @@ void CheckMultisampling(Report& report, const Setup& setup)
   const std::vector<Layer> all = PutBetween(layers, { slab });
   report.Compare("4 samples a pixel", rig.RenderWindow(),
     Everywhere(ReferenceCompositor::Composite(all, rig.GetBackground())),
-    ReferenceCompositor::RoundingBound(all, rig.GetBackground(), setup.FragmentStorage) + OfSamples +
-      Rig::WindowTolerance());
+    ReferenceCompositor::RoundingBound(all, rig.GetBackground(), setup.FragmentStorage) +
+      OfSamples + Rig::WindowTolerance());
   report.Check(rig.Pass->GetExact(), "4 samples a pixel: not exact");
 }
 }
