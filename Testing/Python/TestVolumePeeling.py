@@ -207,18 +207,28 @@ def draw(scenes, way, size=SIZE):
     return pixels, passes
 
 
+_fine = {}
+
+
+def fine_picture(make):
+    """What VTK's dual depth peeling draws of a scene with fine samples; drawn once."""
+    if make not in _fine:
+        _fine[make], _ = draw(make(FINE), VTK_DUAL)
+    return _fine[make]
+
+
 class TestScenes(unittest.TestCase):
     def test_not_further_off_than_vtk(self):
         for make in SCENES:
-            fine, _ = draw(make(FINE), VTK_DUAL)
+            fine = fine_picture(make)
             theirs = numpy.abs(draw(make(DISTANCE), VTK_DUAL)[0] - fine)
             self.assertGreater(fine.std(), 5.0, make.__name__)
             for way in WAYS:
                 with self.subTest("%s, %s" % (make.__name__, way)):
                     pixels, passes = draw(make(DISTANCE), way)
                     ours = numpy.abs(pixels - fine)
-                    for one in passes:
-                        self.assertTrue(one.GetExact())
+                    for one in passes:  # up to the default TransmittanceThreshold, half a step
+                        self.assertLessEqual(one.GetErrorBound(), 1 / 512)
                     self.assertLessEqual(ours.max(), theirs.max() + 1.0)
                     # VTK's own picture with fine samples is rounded at each layer, in steps of 8 bits.
                     self.assertLessEqual((ours ** 2).mean() ** 0.5, (theirs ** 2).mean() ** 0.5 + 0.1)
@@ -226,7 +236,7 @@ class TestScenes(unittest.TestCase):
     def test_fine_samples_agree(self):
         """Where samples are fine, VTK's way and ours are the same."""
         for make in SCENES:
-            fine, _ = draw(make(FINE), VTK_DUAL)
+            fine = fine_picture(make)
             pixels, _ = draw(make(FINE), "auto")
             self.assertLessEqual(numpy.abs(pixels - fine).mean(), 0.3, make.__name__)
 
@@ -240,6 +250,11 @@ class TestBlendModes(unittest.TestCase):
     def make(self, mode, shift, surfaces=True, volume=True):
         scene = Scene(DISTANCE, 0.4)
         scene.volume.GetProperty().ShadeOff()
+        if mode == "MinimumIntensity":  # the smallest value is that of the air
+            opacities = vtkPiecewiseFunction()
+            opacities.AddPoint(0, 0.4)
+            opacities.AddPoint(130, 0.1)
+            scene.volume.GetProperty().SetScalarOpacity(opacities)
         getattr(scene.mapper, "SetBlendModeTo" + mode)()
         for actor in scene.spheres:
             actor.SetPosition(0, 0, shift)
