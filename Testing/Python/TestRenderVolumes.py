@@ -142,7 +142,8 @@ class TestPictures(VolumeTest):
     def test_compare(self):
         write_plane(self.path("plane.vtp"), 4)
         done = run_here(["compare", "cube.vti", "plane.vtp", "--volume", *FUNCTION, "--camera", "z", "--up", "y",
-                         "--parallel", "--opacity", "0.6", "--size", "24x20", "--methods", "vtk-dual", "auto"], self.folder)
+                         "--parallel", "--color", "red", "--opacity", "0.6", "--size", "24x20",
+                         "--methods", "vtk-dual", "auto"], self.folder)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertRegex(done.stdout, r"(?m)^cube.vti: 1 volume, 1 surface; .* truth: the picture of abuffer with 8 times the "
                                       r"samples, vtk-dual with as many differs by at most [\d.]+ steps$")
