@@ -29,6 +29,7 @@ NO_SENTENCE = re.compile(r"//VTK|^\s*#|[{}=]|\bgl_|\bvec\d|: $|GL_[A-Z]{3}")
 NO_MESSAGES = {
     "render window of OSMesa",
     "interactor without a window system",
+    "vtkOIT: hooks into every renderer",
     "vtkOIT: rendering without a display through OSMesa",
 }
 

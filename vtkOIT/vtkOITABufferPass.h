@@ -91,7 +91,7 @@ public:
   /// Reads back the fragments that the last frame captured, to check a picture or to analyse a
   /// scene: one tuple of 7 floats each, pixel x and y (whole numbers, from the lower left corner of
   /// the framebuffer), window depth in [0, 1], red, green, blue (not multiplied by opacity),
-  /// opacity in (0, 1]. The fragments of a pixel follow each other, in no particular order. Colours
+  /// opacity in (0, 1]; for light (emissive Gaussians) its colour times its opacity, and 0. The fragments of a pixel follow each other, in no particular order. Colours
   /// are as they were stored: see FragmentPrecision. There are GetNumberOfFragments() tuples; fewer
   /// where shaders that write gl_FragDepth draw behind opaque geometry.
   ///

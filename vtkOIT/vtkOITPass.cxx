@@ -89,6 +89,8 @@ void vtkOITPass::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "MaximumBufferSize: " << this->MaximumBufferSize << "\n"
      << indent << "FragmentPrecision: " << (this->FragmentPrecision == HALF ? "half" : "float")
      << "\n"
+     << indent << "CoincidentLayers: "
+     << (this->CoincidentLayers == MEAN ? "mean" : "last on top") << "\n"
      << indent << "AlgorithmName: " << this->GetAlgorithmName() << "\n"
      << indent << "NumberOfGeometryPasses: " << this->GetNumberOfGeometryPasses() << "\n"
      << indent << "NumberOfFragments: " << this->GetNumberOfFragments() << "\n"
@@ -218,7 +220,9 @@ std::vector<vtkProp*> vtkOITPass::DrawSorted(
   Internals& impl = *this->Impl;
   vtkOITSavedState saved(frame.GLState, frame.Target);
   frame.Viewport = saved.GetViewport();
-  std::vector<vtkProp*> unhooked = impl.HookTrial.TakeUnhooked(frame, delegate);
+  const vtkOITSettings settings = this->MakeSettings(*frame.Capabilities);
+  std::vector<vtkProp*> unhooked = impl.HookTrial.TakeUnhooked(
+    frame, delegate, [&] { return impl.Runner.GetSorters().SortsLight(frame, settings); });
   frame.Extents = vtkOITFindScreenExtents(frame.Renderer, frame.Props, frame.Viewport);
   const vtkOITVolumeOrder order(frame, volumes.GetAll());
   volumes.SetOrder(order.Before, order.Between, order.After);
@@ -237,7 +241,6 @@ std::vector<vtkProp*> vtkOITPass::DrawSorted(
   }
   if (!frame.Rectangle.IsEmpty())
   {
-    const vtkOITSettings settings = this->MakeSettings(*frame.Capabilities);
     impl.Runner.Run(this->MakePlan(frame, settings), settings, delegate, saved, impl.Statistics);
   }
   const std::string doubt = order.FindDoubt(volumes.CanDraw());

@@ -25,7 +25,8 @@
  * Props that no method can sort are blended unsorted, before or after the others, with a warning,
  * and GetExact() is false: those that say that they have nothing translucent and draw it, as
  * representations of widgets do, those that draw without vtkOpenGLRenderPass, which a trial finds
- * when they first appear, and emissive Gaussians, which add light.
+ * when they first appear. Emissive Gaussians add light: the A-buffer sorts them, so it takes the place
+ * of peeling methods; without it, and by previews, their light is added over all others.
  *
  * Volumes in the view are drawn in their order along each ray, before, between or behind the
  * translucent props, where the pass may draw them: see VolumetricPass and docs/volumes.md. Drawn by
@@ -151,6 +152,30 @@ public:
   void SetFragmentPrecisionToFloat() { this->SetFragmentPrecision(FLOAT); }
   ///@}
 
+  /// What fragments of one depth become, such as those of an overlay with the vertices of the surface
+  /// that it lies on.
+  enum CoincidentLayersType
+  {
+    MEAN = 0,       ///< one layer of the mean colour, whatever the order of drawing
+    LAST_ON_TOP = 1 ///< blended in the order of drawing: what is drawn last lies on top
+  };
+
+  /// MEAN (default): opacity `1 - prod(1 - A)`, colour the mean weighted by opacity. LAST_ON_TOP: over
+  /// each other in the order of OpenGL's blending, that of the renderer's props and of the triangles of
+  /// a mesh, the same in all exact methods. Weighted previews know no layers.
+  ///
+  /// LAST_ON_TOP costs next to nothing where shaders can read the framebuffer. Otherwise, and in
+  /// multisampled windows, the A-buffer uses GL_ARB_fragment_shader_interlock, or 16 bytes more for each
+  /// fragment; without the interlock it leaves frames with composite data, glyphs and assemblies to dual
+  /// depth peeling. Methods that peel then use GL_ARB_draw_buffers_blend, multi-layer peeling the
+  /// interlock.
+  ///@{
+  virtual void SetCoincidentLayers(int rule);
+  vtkGetMacro(CoincidentLayers, int);
+  void SetCoincidentLayersToMean() { this->SetCoincidentLayers(MEAN); }
+  void SetCoincidentLayersToLastOnTop() { this->SetCoincidentLayers(LAST_ON_TOP); }
+  ///@}
+
   /// Sets the statistics to those of a frame without translucent props. Render() does so first;
   /// vtkOITRendererHook does so for frames in which the renderer finds nothing translucent, and so
   /// does not render the pass.
@@ -205,6 +230,7 @@ protected:
   double OcclusionRatio = 0.0;
   vtkTypeInt64 MaximumBufferSize = 0; // bytes
   int FragmentPrecision = HALF;
+  int CoincidentLayers = MEAN;
 
 private:
   vtkOITPass(const vtkOITPass&) = delete;

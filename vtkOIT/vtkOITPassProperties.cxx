@@ -140,11 +140,23 @@ void vtkOITPass::SetFragmentPrecision(int precision)
 }
 
 //------------------------------------------------------------------------------
+void vtkOITPass::SetCoincidentLayers(int rule)
+{
+  if (this->IsNamedValue("CoincidentLayers", rule, LAST_ON_TOP, "MEAN or LAST_ON_TOP") &&
+    this->CoincidentLayers != rule)
+  {
+    this->CoincidentLayers = rule;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkOITSettings vtkOITPass::MakeSettings(const vtkOITCapabilities&) const
 {
   vtkOITSettings settings;
   settings.TransmittanceThreshold = this->TransmittanceThreshold;
   settings.FloatColor = this->FragmentPrecision == FLOAT;
+  settings.LastOnTop = this->CoincidentLayers == LAST_ON_TOP;
   settings.BufferLimit = this->MaximumBufferSize;
   settings.MaximumNumberOfPeels = this->MaximumNumberOfPeels;
   settings.OcclusionRatio = this->OcclusionRatio;

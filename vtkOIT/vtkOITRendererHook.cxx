@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITRendererHook.h"
 
+#include "Private/Hook/vtkOITHookRecord.h"
 #include "Private/Hook/vtkOITPassChain.h"
 
 #include "vtkCommand.h"
@@ -47,6 +48,7 @@ public:
   void Begin();
   void End();
   ///@}
+  void Observe();
 
   vtkSmartPointer<vtkOITPass> Pass;
   vtkRenderer* Renderer = nullptr;
@@ -57,9 +59,13 @@ public:
   vtkDepthPeelingPass* Previous = nullptr; // what the renderer owned before
   bool PreviousUseDepthPeeling = false;
   bool PreviousUseDepthPeelingForVolumes = false;
+  std::shared_ptr<vtkOITHookRecord> Record; // where nobody asked for the pass
+  bool IsInUnaskedFrame = false;
 
 protected:
   std::string FindObstacle();
+  void BeginUnasked();
+  void EndUnasked();
 
   Adapter() = default;
   ~Adapter() override
@@ -110,9 +116,64 @@ std::string Adapter::FindObstacle()
       "or uninstall the pass";
 }
 
+/// A derived class may name a protected member and apply the pointer to any vtkOpenGLRenderer:
+/// plain standard C++ ([class.protected]), no cast.
+struct Access : public vtkOpenGLRenderer
+{
+  static vtkDepthPeelingPass*& Slot(vtkOpenGLRenderer* renderer)
+  {
+    return renderer->*(&Access::DepthPeelingPass);
+  }
+  /// Set without Modified(): the application is not to notice.
+  static void SetUseDepthPeeling(vtkRenderer* renderer, bool on, bool forVolumes)
+  {
+    renderer->*(&Access::UseDepthPeeling) = on ? 1 : 0;
+    renderer->*(&Access::UseDepthPeelingForVolumes) = forVolumes;
+  }
+};
+
+/// The application's switch keeps its value but for the time of a frame.
+void Adapter::BeginUnasked()
+{
+  this->EndUnasked(); // of a frame whose end was not observed
+  this->PreviousUseDepthPeeling = this->Renderer->GetUseDepthPeeling() != 0;
+  this->PreviousUseDepthPeelingForVolumes = this->Renderer->GetUseDepthPeelingForVolumes();
+  if (this->Record->RespectsDepthPeeling() && !this->PreviousUseDepthPeeling)
+  {
+    this->Chain.GiveBack();
+    this->Obstacle = "its depth peeling is off";
+  }
+  else
+  {
+    this->IsInUnaskedFrame = true;
+    Access::SetUseDepthPeeling(this->Renderer, true, true);
+    this->Obstacle = this->FindObstacle();
+    if (!this->Obstacle.empty())
+    {
+      this->EndUnasked();
+    }
+  }
+  this->Record->Begin(this->Renderer->GetClassName(), this->Obstacle);
+}
+
+void Adapter::EndUnasked()
+{
+  if (this->IsInUnaskedFrame)
+  {
+    this->IsInUnaskedFrame = false;
+    Access::SetUseDepthPeeling(
+      this->Renderer, this->PreviousUseDepthPeeling, this->PreviousUseDepthPeelingForVolumes);
+  }
+}
+
 void Adapter::Begin()
 {
   this->Pass->SetNotAsked();
+  if (this->Record)
+  {
+    this->BeginUnasked();
+    return;
+  }
   this->Obstacle = this->FindObstacle();
   if (!this->Obstacle.empty() && this->Warnings.insert(this->Obstacle).second)
   {
@@ -128,22 +189,57 @@ void Adapter::End()
   {
     this->Pass->ResetStatistics();
   }
+  if (this->Record)
+  {
+    this->EndUnasked();
+    this->Record->End({ this->Pass->GetAlgorithmName(), this->Pass->GetExact(),
+      this->Pass->GetNumberOfGeometryPasses(), this->Pass->GetNumberOfFragments(),
+      this->Pass->GetMaximumDepthComplexity() });
+  }
 }
 
-/// A derived class may name a protected member and apply the pointer to any vtkOpenGLRenderer:
-/// plain standard C++ ([class.protected]), no cast.
-struct Access : public vtkOpenGLRenderer
+/// An application may remove all observers of its renderer.
+void Adapter::Observe()
 {
-  static vtkDepthPeelingPass*& Slot(vtkOpenGLRenderer* renderer)
+  if (!this->Renderer->GetCommand(this->Observers[0]))
   {
-    return renderer->*(&Access::DepthPeelingPass);
+    this->Observers[0] =
+      this->Renderer->AddObserver(vtkCommand::StartEvent, this, &Adapter::Begin);
   }
-};
+  if (!this->Renderer->GetCommand(this->Observers[1]))
+  {
+    this->Observers[1] = this->Renderer->AddObserver(vtkCommand::EndEvent, this, &Adapter::End);
+  }
+}
 
 Adapter* FindAdapter(vtkRenderer* renderer)
 {
   auto* glRenderer = vtkOpenGLRenderer::SafeDownCast(renderer);
   return glRenderer ? dynamic_cast<Adapter*>(Access::Slot(glRenderer)) : nullptr;
+}
+
+/// The renderer's adapter, a new one where it has none, with the pass.
+Adapter* PutAdapter(vtkOpenGLRenderer* renderer, vtkOITPass* pass)
+{
+  Adapter* adapter = FindAdapter(renderer);
+  if (!adapter)
+  {
+    adapter = Adapter::New(); // owned by the renderer, which calls Delete()
+    adapter->Previous = Access::Slot(renderer);
+    adapter->Renderer = renderer;
+    Access::Slot(renderer) = adapter;
+  }
+  else if (adapter->Pass != pass)
+  {
+    adapter->Chain.GiveBack();
+    if (renderer->GetVTKWindow())
+    {
+      adapter->Pass->ReleaseGraphicsResources(renderer->GetVTKWindow());
+    }
+  }
+  adapter->Observe();
+  adapter->Pass = pass;
+  return adapter;
 }
 }
 
@@ -160,30 +256,46 @@ bool vtkOITRendererHook::Install(vtkRenderer* renderer, vtkOITPass* pass)
                : "no pass was given; create one, e.g. vtkOITABufferPass::New()"));
     return false;
   }
-  Adapter* adapter = FindAdapter(renderer);
-  if (!adapter)
+  const bool wasAsked = FindAdapter(renderer) && !FindAdapter(renderer)->Record;
+  Adapter* adapter = PutAdapter(glRenderer, pass);
+  if (!wasAsked)
   {
-    adapter = Adapter::New(); // owned by the renderer, which calls Delete()
-    adapter->Previous = Access::Slot(glRenderer);
+    adapter->Record.reset();
     adapter->PreviousUseDepthPeeling = renderer->GetUseDepthPeeling() != 0;
     adapter->PreviousUseDepthPeelingForVolumes = renderer->GetUseDepthPeelingForVolumes();
     renderer->UseDepthPeelingForVolumesOn();
-    adapter->Renderer = renderer;
-    adapter->Observers[0] = renderer->AddObserver(vtkCommand::StartEvent, adapter, &Adapter::Begin);
-    adapter->Observers[1] = renderer->AddObserver(vtkCommand::EndEvent, adapter, &Adapter::End);
-    Access::Slot(glRenderer) = adapter;
   }
-  else if (adapter->Pass != pass)
-  {
-    adapter->Chain.GiveBack();
-    if (renderer->GetVTKWindow())
-    {
-      adapter->Pass->ReleaseGraphicsResources(renderer->GetVTKWindow());
-    }
-  }
-  adapter->Pass = pass;
   renderer->UseDepthPeelingOn();
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITRendererHook::InstallUnasked(
+  vtkRenderer* renderer, vtkOITPass* pass, const std::shared_ptr<vtkOITHookRecord>& record)
+{
+  auto* glRenderer = vtkOpenGLRenderer::SafeDownCast(renderer);
+  if (!glRenderer)
+  {
+    return false;
+  }
+  PutAdapter(glRenderer, pass)->Record = record;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITRendererHook::Observe(vtkRenderer* renderer)
+{
+  if (Adapter* adapter = FindAdapter(renderer))
+  {
+    adapter->Observe();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITRendererHook::IsInstalledUnasked(vtkRenderer* renderer)
+{
+  Adapter* adapter = FindAdapter(renderer);
+  return adapter && adapter->Record;
 }
 
 //------------------------------------------------------------------------------
@@ -203,8 +315,11 @@ bool vtkOITRendererHook::Uninstall(vtkRenderer* renderer)
     renderer->RemoveObserver(observer);
   }
   adapter->Chain.GiveBack();
-  renderer->SetUseDepthPeeling(adapter->PreviousUseDepthPeeling);
-  renderer->SetUseDepthPeelingForVolumes(adapter->PreviousUseDepthPeelingForVolumes);
+  if (!adapter->Record)
+  {
+    renderer->SetUseDepthPeeling(adapter->PreviousUseDepthPeeling);
+    renderer->SetUseDepthPeelingForVolumes(adapter->PreviousUseDepthPeelingForVolumes);
+  }
   Access::Slot(vtkOpenGLRenderer::SafeDownCast(renderer)) = adapter->Previous;
   adapter->Previous = nullptr;
   adapter->Delete();

@@ -25,6 +25,9 @@
 #include "vtkOITModule.h" // for the export macro
 #include "vtkObject.h"
 
+#include <memory> // for the record
+
+class vtkOITHookRecord;
 class vtkOITPass;
 class vtkRenderer;
 
@@ -50,6 +53,15 @@ protected:
   ~vtkOITRendererHook() override = default;
 
 private:
+  friend class vtkOITProcessHook;
+  /// As Install(), in an application that did not ask for it: no warnings, UseDepthPeeling is on
+  /// only during a frame, and each frame is recorded.
+  static bool InstallUnasked(
+    vtkRenderer* renderer, vtkOITPass* pass, const std::shared_ptr<vtkOITHookRecord>& record);
+  /// Observes the renderer's frames again, when an application has removed all observers.
+  static void Observe(vtkRenderer* renderer);
+  static bool IsInstalledUnasked(vtkRenderer* renderer);
+
   vtkOITRendererHook(const vtkOITRendererHook&) = delete;
   void operator=(const vtkOITRendererHook&) = delete;
 };

@@ -103,6 +103,17 @@ void CheckCommon(Report& report, const std::string& name)
       report, pass, name + ": precision", "FragmentPrecision",
       [&] { pass->SetFragmentPrecision(value); }, [&] { return pass->GetFragmentPrecision(); });
   }
+  for (const int value : { -1, 2 })
+  {
+    CheckRefused(
+      report, pass, name + ": coincident layers", "CoincidentLayers",
+      [&] { pass->SetCoincidentLayers(value); }, [&] { return pass->GetCoincidentLayers(); });
+  }
+  const vtkMTimeType time = pass->GetMTime();
+  report.Check(pass->GetCoincidentLayers() == vtkOITPass::MEAN, name + ": the default is no mean");
+  pass->SetCoincidentLayersToLastOnTop();
+  report.Check(pass->GetCoincidentLayers() == vtkOITPass::LAST_ON_TOP && pass->GetMTime() > time,
+    name + ": LAST_ON_TOP is not taken");
   const Listener listener(pass);
   vtkRenderPass* delegate = pass->GetTranslucentPass();
   pass->SetTranslucentPass(pass);

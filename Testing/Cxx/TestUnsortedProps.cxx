@@ -4,8 +4,7 @@
 // Props made of parts, as representations of widgets and vtkAnnotatedCubeActor are, which do not
 // hand on their property keys. Where they list their parts, these are sorted. Where they do not, or
 // say that they have nothing translucent, they are blended after or before all others: that is not
-// exact, but takes nothing away from the others. Emissive Gaussians add the light that they add
-// without sorting.
+// exact, but takes nothing away from the others.
 
 #include "Oracle/ReferenceCompositor.h"
 #include "Rig/Rig.h"
@@ -14,13 +13,9 @@
 #include "vtkAssembly.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointGaussianMapper.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
-#include "vtkRenderStepsPass.h"
 #include "vtkRenderer.h"
-#include "vtkSphereSource.h"
-#include "vtkTranslucentPass.h"
 
 using namespace vtkOITTest;
 
@@ -102,39 +97,6 @@ void TestPart(Report& report, const Setup& setup, const std::string& what, bool 
     report.Check(rig.Pass->GetExact() == lists, what + ": wrong promise");
   }
 }
-
-/// Emissive Gaussians over an opaque quad, by the pass and by unsorted blending: added either way.
-void TestLight(Report& report, const Setup& setup)
-{
-  Image images[2];
-  for (Image& image : images)
-  {
-    Rig rig(setup, Width, 12);
-    rig.AddQuad({ 0.75f, { 0.25f, 0.125f, 0.5f, 1.0f } });
-    vtkNew<vtkSphereSource> points;
-    vtkNew<vtkPointGaussianMapper> mapper;
-    mapper->SetInputConnection(points->GetOutputPort());
-    mapper->SetScaleFactor(0.2);
-    mapper->EmissiveOn();
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    actor->GetProperty()->SetColor(0.5, 0.25, 0.75);
-    actor->ForceTranslucentOn();
-    rig.Renderer->AddActor(actor);
-    if (&image == &images[1])
-    {
-      setup.Detach(rig.Renderer);
-      vtkNew<vtkRenderStepsPass> steps;
-      vtkNew<vtkTranslucentPass> blending;
-      steps->SetTranslucentPass(blending);
-      rig.Renderer->SetPass(steps);
-    }
-    rig.RenderWindow();
-    image = rig.RenderWindow();
-    report.Check(&image == &images[1] || !rig.Pass->GetExact(), "light: wrong promise");
-  }
-  report.CompareBits("light", images[0], images[1]);
-}
 }
 
 int TestUnsortedProps(int argc, char* argv[])
@@ -147,7 +109,6 @@ int TestUnsortedProps(int argc, char* argv[])
       TestPart(report, setup, "listed, in an assembly", true, false, true, { Near, Middle, Far });
       TestPart(report, setup, "not listed", false, false, false, { Middle, Near, Far });
       TestPart(report, setup, "denied", false, true, false, { Near, Far, Middle });
-      TestLight(report, setup);
       vtkObject::GlobalWarningDisplayOn();
     });
 }

@@ -5,10 +5,12 @@
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 
 import vtkoit
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkPNGReader
@@ -45,6 +47,13 @@ def run(*arguments, cwd=None, name="vtkoit", timeout=None, **variables):
                           stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False, timeout=timeout)
 
 
+def main():
+    """Runs the tests of the program; exit status 125 when all of them were skipped."""
+    result = unittest.main(exit=False).result
+    nothing = result.wasSuccessful() and len(result.skipped) == result.testsRun
+    sys.exit(not result.wasSuccessful() or (125 if nothing else 0))
+
+
 class FolderTest(unittest.TestCase):
     """A test with a folder of its own below the working directory: self.folder."""
 
@@ -66,6 +75,22 @@ def write_sphere(path, radius=1.0, resolution=24):
     sphere.SetPhiResolution(resolution)
     writer = vtkXMLPolyDataWriter()
     writer.SetInputConnection(sphere.GetOutputPort())
+    writer.SetFileName(path)
+    writer.Write()
+
+
+def write_spheres(path):
+    """Three spheres through each other, in one data set."""
+    append = vtkAppendPolyData()
+    for i in range(3):
+        sphere = vtkSphereSource()
+        sphere.SetCenter(0.35 * i, 0.2 * i, 0.3 * i)
+        sphere.SetRadius(0.6)
+        sphere.SetThetaResolution(32)
+        sphere.SetPhiResolution(32)
+        append.AddInputConnection(sphere.GetOutputPort())
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputConnection(append.GetOutputPort())
     writer.SetFileName(path)
     writer.Write()
 

@@ -205,8 +205,8 @@ def method(rng, scene):
 
 @change("scene", "values", 3)
 def property_of_the_pass(rng, scene):
-    """Of those that change no picture, and of the precision, which changes it a little."""
-    names = {"MaximumBufferSize": [0, 2**20, 2**28]}
+    """Of those that change no picture, or only a little, and of coincident layers."""
+    names = {"MaximumBufferSize": [0, 2**20, 2**28], "CoincidentLayers": ["mean", "last_on_top"]}
     if scene["method"] != "multilayer":
         names["FragmentPrecision"] = ["half", "float"]
     if scene["method"] in ("auto", "abuffer"):

@@ -5,7 +5,8 @@
 A description says everything about a picture, so that build.py makes the same scene of it as often
 as wanted. Nothing of VTK is here.
 
-scene: size, samples, props (of all renderers, by number), renderers
+scene: size, samples, props (of all renderers, by number), renderers, coincident (a value of
+CoincidentLayers), exposure (None: drawn into 8 bits; a number: into floats c, shown as 1 - exp(-exposure c))
 renderer: viewport, background, camera, lights, props (numbers, in the order of drawing)
 prop: kind, shape, colors, look, matrix, and where given texture, planes, selection, visible
 """
@@ -160,6 +161,15 @@ def light(rng):
             "color": color(rng), "intensity": rng.choice([0.4, 0.8, 1.0, 1.5])}
 
 
+def brighten(rng, scene):
+    """Lights far above 1, into 8 bits and into floats."""
+    for one in scene["renderers"]:
+        if not one["lights"] and len(scene["renderers"]) == 1:
+            one["lights"] = [light(rng)]
+        for values in one["lights"]:
+            values["intensity"] = rng.choice([2.0, 5.0, 20.0, 50.0])
+
+
 def renderer(rng, viewport, props):
     return {
         "viewport": viewport, "background": [*color(rng), rng.choice([1.0, 1.0, 0.0, 0.4])],
@@ -191,9 +201,14 @@ def scene(rng, size):
     for viewport in viewports(rng):
         mine = [n for n in numbers if rng.random() < 0.85] or numbers[:1]
         renderers.append(renderer(rng, viewport, mine))
-    return settle({"size": [size + rng.randrange(17), size - rng.randrange(17)],
-                   "samples": 4 if rng.random() < 0.08 else 0, "renderers": renderers,
-                   "props": dict(zip(numbers, props))})
+    result = {"size": [size + rng.randrange(17), size - rng.randrange(17)],
+              "samples": 4 if rng.random() < 0.08 else 0, "renderers": renderers,
+              "props": dict(zip(numbers, props))}
+    result["coincident"] = "last_on_top" if rng.random() < 0.3 else "mean"
+    result["exposure"] = rng.choice([1.0, 0.2, 0.02]) if rng.random() < 0.2 else None
+    if rng.random() < 0.3:
+        brighten(rng, result)
+    return settle(result)
 
 
 def settle(scene):
@@ -203,6 +218,7 @@ def settle(scene):
         if prop["kind"] in ("glyphs", "gaussians", "impostors"):
             # Values of cells are read as those of points, beyond their end; values to be interpolated crash.
             colors.update(by="point", interpolated=False)
+        prop.setdefault("emissive", prop["kind"] == "gaussians" and look["color"][0] < 0.5)
         if prop["kind"] == "composite" and look["force"] == "opaque":
             look["force"] = None  # its blocks are blended in the order of their addresses
         if look["edges"] or look["vertices"]:
@@ -210,6 +226,10 @@ def settle(scene):
     for one in scene["renderers"][1:]:
         # A billboard has one place and size of its letters for all renderers.
         one["props"] = [n for n in one["props"] if scene["props"][n]["kind"] != "billboard"]
+    if len(scene["renderers"]) > 1 or scene["renderers"][0]["viewport"] != [0.0, 0.0, 1.0, 1.0]:
+        scene["exposure"] = None  # passes that draw into textures of their own cover the window
+    if scene["exposure"]:
+        scene["samples"] = 0
     if len(scene["renderers"]) > 1:
         # A shader that two renderers share has the lights of one of them.
         for one in scene["renderers"]:

@@ -99,7 +99,7 @@ class Mesh(Prop):
             self.mapper.SetRadius(0.25)
         elif kind == "gaussians":
             self.mapper.SetScaleFactor(0.15)
-            self.mapper.EmissiveOff()
+            self.mapper.SetEmissive(prop["emissive"])
         self.mesh = None
         self.set_all(prop)
 

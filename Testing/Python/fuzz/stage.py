@@ -9,6 +9,7 @@ from props import make_prop
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkPerspectiveTransform
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight, vtkRenderer
+from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkToneMappingPass
 from vtkoit import errors, picture
 from vtkoit.windows import make_window
 
@@ -51,6 +52,7 @@ class Stage:
         # VTK clears only what is within a viewport: without this one the rest has what was there before.
         self.window.AddRenderer(vtkRenderer())
         self.passes = {}
+        self.coincident = scene["coincident"]
         self.renderers = []
         for description in scene["renderers"]:
             renderer = vtkRenderer()
@@ -60,6 +62,8 @@ class Stage:
             self.renderers.append(renderer)
             self.set_view(renderer, description)
             self.set_lights(renderer, description)
+            if scene["exposure"]:
+                self.expose(renderer, scene["exposure"])
         camera = self.renderers[0].GetActiveCamera()
         self.props = {number: make_prop(prop, camera) for number, prop in scene["props"].items()}
         for renderer, description in zip(self.renderers, scene["renderers"]):
@@ -67,12 +71,22 @@ class Stage:
                 renderer.AddViewProp(self.props[number].prop)
         self.set_method(method, values)
 
+    @staticmethod
+    def expose(renderer, exposure):
+        """A chain of passes that draws into floats and shows 1 - exp(-exposure colour)."""
+        tones = vtkToneMappingPass()
+        tones.SetToneMappingType(vtkToneMappingPass.Exponential)
+        tones.SetExposure(exposure)
+        tones.SetDelegatePass(vtkRenderStepsPass())
+        renderer.SetPass(tones)
+
     def set_method(self, method, values):
         """method "vtk": VTK alone, to see whether it does the same."""
         if method == "vtk":
             return
         for renderer in self.renderers:
-            self.passes[renderer] = vtkoit.install(renderer, method, **values)
+            self.passes[renderer] = vtkoit.install(
+                renderer, method, **{"CoincidentLayers": self.coincident, **values})
 
     def replaced(self, scene):
         """This stage with new passes."""

@@ -3,9 +3,10 @@
 """Exact order-independent transparency for VTK.
 
     import vtkoit
-    vtkoit.install(renderer)      # any vtkRenderer, PyVista's too
+    vtkoit.install(renderer)      # or a vtkRenderWindow, a PyVista plotter, a ParaView view
     ...
     vtkoit.uninstall(renderer)    # as it was before
+    vtkoit.install_everywhere()   # all renderers that are made from now on
 
 Importing this package changes nothing: windows are made as before. A script that has no display
 calls headless() before its first render window.
@@ -18,6 +19,7 @@ without a display); the command line is ``python3 -m vtkoit -h``.
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 
 from .errors import Error
+from .everywhere import install_everywhere, uninstall_everywhere
 from .hook import install, installed, uninstall
 from .passes import create, method_info, methods, properties
 from .version import VERSION as __version__
@@ -30,9 +32,11 @@ __all__ = [
     "create",
     "headless",
     "install",
+    "install_everywhere",
     "installed",
     "method_info",
     "methods",
     "properties",
     "uninstall",
+    "uninstall_everywhere",
 ]

@@ -117,6 +117,10 @@ def _run(options):
             from . import compare
 
             compare.run(options, progress)
+        elif options.command == "run":
+            from . import application
+
+            application.run(options.program, options.method, options.respect, options.log, options.preload)
         elif options.command == "bench":
             from .bench import run
 

@@ -68,6 +68,16 @@ examples:
   {prog} --list"""
 
 
+_RUN = """Runs a program whose renderers are VTK's so that vtkOIT draws what is translucent; nothing in the
+program is changed. What is known of a program is used: --preload for f3d, --respect for paraview and
+its servers. Where vtkOIT cannot draw, such as with another VTK, a line says why and the program runs
+as without it.
+
+examples:
+  {prog} mayavi2
+  {prog} python3 script.py
+  {prog} --method dual --log f3d engine.vtp"""
+
 _METHODS = "names, with properties as METHOD:NAME=VALUE,NAME=VALUE"
 
 
@@ -103,8 +113,21 @@ def parser(prog="vtkoit"):
                           help="folder of the pictures, made if missing (default: %(default)s)")
     showcase.add_argument("--size", default="500x500", metavar="WxH",
                           help="size of each picture in pixels (default: %(default)s)")
+    _add_run(add("run", "run a VTK application with exact translucency", _RUN))
     _add_bench(add("bench", "measure time and error of all methods, VTK's too", _BENCH))
     return top
+
+
+def _add_run(run):
+    option = run.add_argument
+    option("--method", metavar="M", help="see the command info (default: auto)")
+    option("--respect", action="store_true", help="leave renderers to VTK whose depth peeling is off")
+    option("--log", action="store_true",
+           help="print a line for each renderer that is reached, and statistics at the end")
+    option("--preload", action=argparse.BooleanOptionalAction,
+           help="replace VTK's translucent passes where the program makes them, for programs with a "
+                "private chain of passes (default: where the program is known to need it)")
+    option("program", nargs=argparse.REMAINDER, metavar="COMMAND", help="the program and its arguments")
 
 
 def _add_bench(bench):
@@ -238,7 +261,7 @@ def joined(arguments):
 
 
 # What names files, whose names may be any bytes.
-_PATHS = ("inputs", "output", "scenes", "document")
+_PATHS = ("inputs", "output", "scenes", "document", "program")
 
 
 def check(options):

@@ -4,6 +4,7 @@
 
 #include "Private/ABuffer/vtkOITFragmentReadback.h"
 #include "Private/Engine/vtkOITGeometry.h"
+#include "Private/Engine/vtkOITPropParts.h"
 #include "Private/Frame/vtkOITCapabilities.h"
 #include "Private/Frame/vtkOITFrame.h"
 #include "Private/Frame/vtkOITSettings.h"
@@ -96,6 +97,10 @@ void vtkOITABufferEngine::ChooseShaders(const Task& task)
   shaders.FineDerivatives = task.Frame.Capabilities->FineDerivatives;
   shaders.HeadInTarget = this->HeadInTarget;
   shaders.ClampColor = task.Frame.Target.ClampsColor;
+  shaders.LastOnTop = task.Settings.LastOnTop;
+  shaders.Interlock =
+    shaders.LastOnTop && !this->HeadInTarget && task.Frame.Capabilities->FragmentInterlock;
+  shaders.HasLight = task.Frame.HasLight;
   shaders.Volumes = task.Frame.Volumes != nullptr;
   this->Gather.SetStage(shaders.GetGather());
   if (shaders.Volumes)
@@ -143,9 +148,12 @@ vtkOITFailure vtkOITABufferEngine::Draw(const vtkOITFrame& frame, const vtkOITSe
     }
   }
   this->NumberOfFragments = 0;
-  this->Resolver.SetThreshold(static_cast<float>(settings.TransmittanceThreshold));
+  // What adds light adds up to any colour, so it is not bounded by the transmittance in front of it.
+  this->Resolver.SetThreshold(
+    frame.HasLight ? 0.0f : static_cast<float>(settings.TransmittanceThreshold));
   this->Gather.SetUniforms(
-    [this, &task](vtkShaderProgram* program, vtkProp*) { this->SetUniforms(task, program); });
+    [this, &task](vtkShaderProgram* program, vtkProp* prop)
+    { this->SetUniforms(task, program, prop); });
   this->ChooseCapture(task);
   this->DrawSolidDepth(task);
   this->Bands.Begin(frame.Rectangle, largestBand);
@@ -226,6 +234,12 @@ vtkOITFailure vtkOITABufferEngine::DrawBand(const Task& task, std::int64_t& need
   for (std::int64_t before = -1;;)
   {
     this->ChooseShaders(task);
+    if (this->Shaders.HasDrawOrder() && !vtkOITDrawsInOrder(task.Frame.Props))
+    {
+      return vtkOITFailure("CoincidentLayers LAST_ON_TOP with mappers that draw parts of a prop apart, "
+                           "for composite data and glyphs, needs GL_EXT_shader_framebuffer_fetch "
+                           "without multisampling, or GL_ARB_fragment_shader_interlock");
+    }
     const std::int64_t largestPool = this->GetLargestPool(task);
     vtkOITFailure failure = this->Store.Reserve(task.Frame.Window, *task.Frame.Capabilities,
       this->Band, wanted, this->Shaders.GetBytesPerNode(), largestPool);
@@ -321,6 +335,7 @@ vtkOITFailure vtkOITABufferEngine::Capture(const Task& task)
     return failure;
   }
   this->DepthCopyFailure = {};
+  this->NumberOfDraws = 0;
   failure = task.Geometry.Draw(task.Frame.Props, this->Gather);
   if (this->HasDepthCopy)
   {
@@ -349,11 +364,20 @@ vtkOITFailure vtkOITABufferEngine::BeginBand(const Task& task)
 }
 
 //------------------------------------------------------------------------------
-void vtkOITABufferEngine::SetUniforms(const Task& task, vtkShaderProgram* program)
+void vtkOITABufferEngine::SetUniforms(
+  const Task& task, vtkShaderProgram* program, vtkProp* prop)
 {
   // An actor may have been told to write depth; translucent ones must not.
   task.Frame.GLState->vtkglDepthMask(GL_FALSE);
   this->Store.SetUniforms(program);
+  if (this->Shaders.HasDrawOrder())
+  {
+    program->SetUniformi("oitDrawNumber", this->NumberOfDraws++);
+  }
+  if (this->Shaders.HasLight)
+  {
+    program->SetUniformi("oitIsLight", vtkOITAddsLight(prop) ? 1 : 0);
+  }
   if (program->IsUniformUsed("oitOpaqueDepth"))
   {
     if (!this->HasDepthCopy && !this->DepthCopyFailure)

@@ -15,6 +15,7 @@
 #include "Private/GL/vtkOITDepthCopy.h"
 
 class vtkFloatArray;
+class vtkProp;
 
 /// The A-buffer: see vtkOITABufferPass.
 class vtkOITABufferEngine : public vtkOITEngine
@@ -26,6 +27,7 @@ public:
   std::string FindMissingIn(const vtkOITFrame& frame) const override;
   bool MixesVolumes() const override { return true; }
   bool UsesStorage(const vtkOITCapabilities&, const vtkOITSettings&) const override { return true; }
+  bool SortsLight() const override { return true; }
   vtkOITFailure Draw(const vtkOITFrame& frame, const vtkOITSettings& settings,
     vtkOITGeometry& geometry, vtkOITStatistics& statistics) override;
   std::int64_t GetSizeInBytes() const override;
@@ -46,7 +48,7 @@ private:
   vtkOITFailure DrawBand(const Task& task, std::int64_t& needed);
   vtkOITFailure Capture(const Task& task);
   vtkOITFailure BeginBand(const Task& task);
-  void SetUniforms(const Task& task, vtkShaderProgram* program);
+  void SetUniforms(const Task& task, vtkShaderProgram* program, vtkProp* prop);
   vtkOITFailure Resolve(const Task& task, vtkOITFragmentStore::Counters& counters);
   void AddStatistics(const Task& task, const vtkOITFragmentStore::Counters& counters);
 
@@ -61,6 +63,7 @@ private:
   vtkOITBands Bands;
 
   vtkOITRectangle Band;
+  int NumberOfDraws = 0; // in this geometry pass
   bool HasDepthCopy = false;
   vtkOITFailure DepthCopyFailure;
   bool HasSolidDepth = false; // Gather tests against it instead of the framebuffer's

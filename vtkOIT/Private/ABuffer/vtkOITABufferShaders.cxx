@@ -27,7 +27,8 @@ bool vtkOITABufferShaders::operator==(const vtkOITABufferShaders& other) const
   const auto tie = [](const vtkOITABufferShaders& s)
   {
     return std::tie(s.Samples, s.FloatColor, s.NodesInImage, s.FramebufferFetch,
-      s.PostDepthCoverage, s.HeadInTarget, s.ClampColor, s.FineDerivatives, s.Volumes);
+      s.PostDepthCoverage, s.HeadInTarget, s.ClampColor, s.FineDerivatives, s.LastOnTop,
+      s.Interlock, s.HasLight, s.Volumes);
   };
   return tie(*this) == tie(other);
 }
@@ -39,6 +40,10 @@ void vtkOITABufferShaders::AddVariant(vtkOITShaderText& text) const
     "GL_ARB_shading_language_420pack", "GL_ARB_gpu_shader5" });
   text.Define("OIT_SAMPLES", this->Samples);
   text.Define("OIT_WIDE_NODES", this->HasWideNodes());
+  text.Define("OIT_LAST_ON_TOP", this->LastOnTop);
+  text.Define("OIT_HAS_LIGHT", this->HasLight);
+  text.Define("OIT_HAS_DRAW_ORDER", this->HasDrawOrder());
+  text.Define("OIT_NODE_TEXELS", this->GetTexelsPerNode());
   text.Define("OIT_FLOAT_COLOR", this->FloatColor);
   text.Define("OIT_NODES_IN_IMAGE", this->NodesInImage);
   text.Define("OIT_CLAMP_COLOR", this->ClampColor);
@@ -55,6 +60,15 @@ vtkOITShaderText vtkOITABufferShaders::GetGather() const
   if (this->HeadInTarget)
   {
     text.Require({ "GL_EXT_shader_framebuffer_fetch" });
+  }
+  if (this->HasDrawOrder())
+  {
+    text.ReadPrimitives();
+  }
+  text.Define("OIT_INTERLOCK", this->Interlock);
+  if (this->Interlock)
+  {
+    text.Require({ "GL_ARB_fragment_shader_interlock" });
   }
   if (this->Samples > 0 && this->PostDepthCoverage)
   {

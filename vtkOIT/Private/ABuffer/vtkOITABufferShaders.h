@@ -24,15 +24,27 @@ struct vtkOITABufferShaders
   bool HeadInTarget = false;
   bool ClampColor = false;
   bool FineDerivatives = false;
+  bool LastOnTop = false;
+  bool Interlock = false; // in Gather, for the order of drawing
+  bool HasLight = false;  // some props add light
   bool Volumes = false; // rays of volumes walk the lists
 
   bool operator==(const vtkOITABufferShaders& other) const;
 
   /// A node takes two texels instead of one.
   bool HasWideNodes() const { return this->FloatColor || this->Samples > 0; }
+  /// Nodes are not in the order of drawing by themselves, so they keep it in one texel more.
+  bool HasDrawOrder() const
+  {
+    return this->LastOnTop && !this->HeadInTarget && !this->Interlock;
+  }
+  int GetTexelsPerNode() const
+  {
+    return 1 + (this->HasWideNodes() ? 1 : 0) + (this->HasDrawOrder() ? 1 : 0);
+  }
+  int GetBytesPerNode() const { return 16 * this->GetTexelsPerNode(); }
   /// All lists are sorted in memory, not only those that networks in registers leave.
   bool SortsAll() const { return this->Volumes || this->Samples > 0; }
-  int GetBytesPerNode() const { return this->HasWideNodes() ? 32 : 16; }
 
   /// The stage on fragments of props.
   vtkOITShaderText GetGather() const;

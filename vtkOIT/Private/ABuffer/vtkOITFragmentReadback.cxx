@@ -118,6 +118,7 @@ void vtkOITFragmentReadback::Append(std::uint32_t node, const std::vector<std::u
         { HalfToFloat(word[1] & 0xffffu), HalfToFloat(word[1] >> 16),
           HalfToFloat(word[2] & 0xffffu), HalfToFloat(word[2] >> 16) });
     }
+    values.back() = values.back() < OIT_LIGHT ? values.back() : 0.0f; // light has no opacity
     node = word[3];
   }
 }

@@ -3,6 +3,7 @@
 #include "Private/ABuffer/vtkOITSolidDepth.h"
 
 #include "Private/Engine/vtkOITGeometry.h"
+#include "Private/Engine/vtkOITPropParts.h"
 #include "Private/Frame/vtkOITFrame.h"
 #include "glsl/Common/vtkOITConstants.h"
 
@@ -50,7 +51,7 @@ bool HasSolidColor(vtkMapper* mapper)
 bool CanBeSolid(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
-  return actor && actor->GetMapper() && actor->GetProperty()->GetOpacity() >= 1.0 &&
+  return actor && actor->GetMapper() && !vtkOITAddsLight(prop) && actor->GetProperty()->GetOpacity() >= 1.0 &&
     HasSolidColor(actor->GetMapper());
 }
 }

@@ -136,6 +136,10 @@ bool vtkOITGatherHook::PostReplaceShaderValues(std::string& vertexShader,
       this->Wrapped.emplace(before, fragmentShader);
     }
   }
+  if (this->Stage.ReadsPrimitives())
+  {
+    vtkOITHandOnPrimitives(geometryShader);
+  }
   vtkOITReplaceTop(fragmentShader,
     [prop](std::string& top)
     {

@@ -38,6 +38,22 @@ bool vtkOITAddsLight(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
+bool vtkOITDrawsInOrder(const std::vector<vtkProp*>& props)
+{
+  static constexpr std::array<const char*, 4> names = { "vtkOpenGLPolyDataMapper",
+    "vtkDataSetMapper", "vtkOpenGLSphereMapper", "vtkOpenGLStickMapper" };
+  return std::all_of(props.begin(), props.end(),
+    [](vtkProp* prop)
+    {
+      auto* actor = vtkActor::SafeDownCast(prop);
+      vtkMapper* mapper = actor && vtkOITIsSimpleActor(prop) ? actor->GetMapper() : nullptr;
+      return mapper &&
+        std::any_of(names.begin(), names.end(),
+          [mapper](const char* name) { return std::strcmp(mapper->GetClassName(), name) == 0; });
+    });
+}
+
+//------------------------------------------------------------------------------
 // Assemblies inside of a prop are found as consumers of their parts: they replace the keys of these
 // by their own. Parts share the keys of a prop that hands them on, and need no others then.
 std::vector<vtkProp*> vtkOITFindParts(const std::vector<vtkProp*>& props)

@@ -117,6 +117,8 @@ vtkOITCapabilities::vtkOITCapabilities(vtkOpenGLRenderWindow* window)
   this->FragmentInterlock = has("GL_ARB_fragment_shader_interlock");
   this->TextureBarrier = has("GL_ARB_texture_barrier");
   this->FramebufferFetch = has("GL_EXT_shader_framebuffer_fetch");
+  this->DrawBuffersBlend =
+    has("GL_ARB_draw_buffers_blend") && glBlendFuncSeparatei && glBlendEquationSeparatei;
   this->SampleShading = has("GL_ARB_sample_shading");
   this->PostDepthCoverage = has("GL_ARB_post_depth_coverage");
   this->FineDerivatives = has("GL_ARB_derivative_control");

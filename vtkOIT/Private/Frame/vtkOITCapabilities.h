@@ -40,6 +40,8 @@ public:
   bool TextureBarrier = false;
   /// EXT_shader_framebuffer_fetch: a fragment shader reads what the colour buffer holds.
   bool FramebufferFetch = false;
+  /// ARB_draw_buffers_blend: colour buffers are blended in different ways at once.
+  bool DrawBuffersBlend = false;
   /// ARB_sample_shading: a shader runs for each sample of a pixel.
   bool SampleShading = false;
   /// ARB_post_depth_coverage: gl_SampleMaskIn holds only the samples that passed the depth test.

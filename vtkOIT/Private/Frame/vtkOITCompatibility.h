@@ -28,6 +28,11 @@
 #include "vtkCompositePolyDataMapper2.h"
 #endif
 
+/// What an object factory says of itself becomes const in some VTK after 9.3, which announces it so.
+#ifndef VTK_FUTURE_CONST
+#define VTK_FUTURE_CONST
+#endif
+
 /// Props in physical or device coordinates came with VTK 9.2.
 inline bool vtkOITIsInWorldCoordinates(vtkProp3D* prop)
 {

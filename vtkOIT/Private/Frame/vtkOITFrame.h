@@ -34,6 +34,8 @@ struct vtkOITFrame
   /// The translucent props, and the extent of each.
   std::vector<vtkProp*> Props;
   std::vector<vtkOITScreenExtent> Extents;
+  /// Some of them may add light, see vtkOITAddsLight().
+  bool HasLight = false;
   /// Those that lie between the props; nullptr without.
   vtkOITVolumes* Volumes = nullptr;
   /// The only pixels that may be drawn to.

@@ -13,6 +13,7 @@ struct vtkOITSettings
 {
   double TransmittanceThreshold = 0.0;
   bool FloatColor = false;      // FragmentPrecision
+  bool LastOnTop = false;       // CoincidentLayers
   std::int64_t BufferLimit = 0; // MaximumBufferSize, bytes; 0: none
   int MaximumNumberOfPeels = 0;
   double OcclusionRatio = 0.0;

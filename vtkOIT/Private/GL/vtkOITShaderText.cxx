@@ -182,6 +182,13 @@ vtkOITShaderText& vtkOITShaderText::TestDepthEarly()
 }
 
 //------------------------------------------------------------------------------
+vtkOITShaderText& vtkOITShaderText::ReadPrimitives()
+{
+  this->PrimitivesRead = true;
+  return *this;
+}
+
+//------------------------------------------------------------------------------
 // An earlier version than the extensions ask for, where the context has no other: the drivers that
 // offer them there take them there.
 std::string vtkOITShaderText::GetTop(bool testsDepthEarly, bool writesDepth) const
@@ -249,7 +256,18 @@ bool vtkOITShaderText::operator==(const vtkOITShaderText& other) const
 {
   return this->Extensions == other.Extensions && this->Definitions == other.Definitions &&
     this->Declarations == other.Declarations && this->Stage == other.Stage &&
-    this->EarlyTests == other.EarlyTests;
+    this->EarlyTests == other.EarlyTests && this->PrimitivesRead == other.PrimitivesRead;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITHandOnPrimitives(std::string& geometryShader)
+{
+  static const std::regex emit(R"(\bEmitVertex\s*\(\s*\)\s*;)");
+  if (geometryShader.find("gl_PrimitiveID =") == std::string::npos)
+  {
+    geometryShader =
+      std::regex_replace(geometryShader, emit, "{ gl_PrimitiveID = gl_PrimitiveIDIn; $& }");
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -39,6 +39,10 @@ public:
   /// where it would not by itself because the shader reads the framebuffer, or has side effects.
   vtkOITShaderText& TestDepthEarly();
 
+  /// The stage reads gl_PrimitiveID, which a geometry shader must hand on.
+  vtkOITShaderText& ReadPrimitives();
+  bool ReadsPrimitives() const { return this->PrimitivesRead; }
+
   /// The fragment or vertex shader of a stage on pixels.
   std::string GetText() const;
 
@@ -63,12 +67,16 @@ private:
   std::string Declarations;
   std::string Stage;
   bool EarlyTests = false;
+  bool PrimitivesRead = false;
 };
 
 /// Where a wrapped shader has a version of its own, VTK's `//VTK::System::Dec` is gone. What others
 /// would replace there later, they replace in `top`, and it gets where it belongs.
 void vtkOITReplaceTop(
   std::string& shader, const std::function<void(std::string& top)>& replaceMore);
+
+/// Hands gl_PrimitiveID on to the fragment shader: undefined otherwise. Nothing to do without a shader.
+void vtkOITHandOnPrimitives(std::string& geometryShader);
 
 /// True when the shader assigns gl_FragDepth.
 bool vtkOITWritesDepth(const std::string& fragmentShader);

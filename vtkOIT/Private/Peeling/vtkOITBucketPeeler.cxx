@@ -4,6 +4,7 @@
 
 #include "Private/Frame/vtkOITFrame.h"
 #include "Private/Frame/vtkOITSettings.h"
+#include "Private/GL/vtkOITOverBlending.h"
 #include "glsl/Common/vtkOITConstants.h"
 
 #include "vtkOITBucketEqualizeFS.h"
@@ -36,12 +37,21 @@ void Clear(float red, float green, float blue, float alpha)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkOITBucketPeeler::FindMissing(
+  const vtkOITCapabilities& capabilities, const vtkOITSettings& settings) const
+{
+  const std::string missing = vtkOITPeeler::FindMissing(capabilities, settings);
+  return missing.empty() ? FindMissingToBlend(capabilities, settings) : missing;
+}
+
+//------------------------------------------------------------------------------
 void vtkOITBucketPeeler::Prepare(const vtkOITFrame& frame, const vtkOITSettings& settings)
 {
   this->UsedDivision = settings.BucketMode == 1 ? Division::Pairs
     : settings.BucketMode == 2                  ? Division::Adaptive
                                                 : Division::Uniform;
   this->HasExactRange = settings.HasExactDepthRange;
+  this->LastOnTop = settings.LastOnTop;
   this->IsSingleShot = settings.MaximumNumberOfPeels == 1;
   this->Interval = vtkOITEyeDepthInterval::Find(frame);
   this->IsHistogram = false;
@@ -68,6 +78,7 @@ vtkOITShaderText vtkOITBucketPeeler::MakeGather(const char* file) const
 void vtkOITBucketPeeler::AddDivision(vtkOITShaderText& text) const
 {
   text.Require({ "GL_ARB_explicit_attrib_location" });
+  text.Define("OIT_LAST_ON_TOP", this->LastOnTop);
   text.Define("OIT_PAIRS", this->UsedDivision == Division::Pairs);
   text.Define("OIT_ADAPTIVE", this->UsedDivision == Division::Adaptive);
   text.Define("OIT_BUCKETS", this->UsedDivision == Division::Pairs ? 16 : 32);
@@ -205,15 +216,34 @@ vtkOITFailure vtkOITBucketPeeler::GatherColors(
   vtkOpenGLState* gl = context.Frame.GLState;
   this->IsColorStage = true;
   this->SlotLayer = slotLayer;
-  if (vtkOITFailure failure = context.State.BindForGather(
-        this->GatherFramebuffer, this->Sums.GetAllLayers(), [] { Clear(0.0f, 0.0f, 0.0f, -2.0f); }))
+  const bool lastOnTop = this->LastOnTop;
+  if (vtkOITFailure failure =
+        context.State.BindForGather(this->GatherFramebuffer, this->Sums.GetAllLayers(),
+          [lastOnTop]
+          {
+            Clear(0.0f, 0.0f, 0.0f, lastOnTop ? 0.0f : -2.0f);
+            const float noDepths[4] = { -2.0f, -2.0f, 0.0f, 0.0f };
+            if (lastOnTop)
+            {
+              glClearBufferfv(GL_COLOR, OIT_BUCKET_DEPTHS, noDepths);
+            }
+          }))
   {
     return failure;
   }
-  gl->vtkglEnable(GL_BLEND);
-  gl->vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_MAX);
-  gl->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-  vtkOITFailure failure = context.RenderGeometry();
+  vtkOITFailure failure;
+  if (lastOnTop)
+  {
+    const vtkOITOverBlending blending(gl, OIT_BUCKET_DEPTHS);
+    failure = context.RenderGeometry();
+  }
+  else
+  {
+    gl->vtkglEnable(GL_BLEND);
+    gl->vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_MAX);
+    gl->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+    failure = context.RenderGeometry();
+  }
   if (failure)
   {
     return failure;

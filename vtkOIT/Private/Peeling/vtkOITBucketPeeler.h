@@ -20,6 +20,8 @@ public:
     Adaptive // up to 32, one for each of 1024 bins that has a fragment
   };
 
+  std::string FindMissing(
+    const vtkOITCapabilities& capabilities, const vtkOITSettings& settings) const override;
   int GetNumberOfSetUpPeels() const override { return this->HasExactRange ? 1 : 0; }
   void Prepare(const vtkOITFrame& frame, const vtkOITSettings& settings) override;
   vtkOITPeelState::Layout GetLayout(const vtkOITFrame& frame) const override;
@@ -53,6 +55,7 @@ private:
   Division UsedDivision = Division::Uniform;
   // The first peel starts from the exact depth range of each pixel, found by a geometry pass.
   bool HasExactRange = false;
+  bool LastOnTop = false;
   // One peel of all 32 slots; what it does not capture is counted as lost.
   bool IsSingleShot = false;
   bool InPlace = false; // of ResolveStage's program

@@ -36,6 +36,7 @@ void vtkOITDualPeeler::Prepare(const vtkOITFrame& frame, const vtkOITSettings& s
     "GL_ARB_shader_image_load_store" });
   text.TestDepthEarly(); // reading the framebuffer would end it
   text.Define("OIT_CLAMP_COLOR", frame.Target.ClampsColor);
+  text.Define("OIT_LAST_ON_TOP", settings.LastOnTop);
   this->AddLayers(text);
   text.InsertRepeated("LayerBuffers", "OIT_LAYER_BUFFER", layers);
   text.InsertRepeated("StoreLayers", "OIT_STORE_LAYER", layers);

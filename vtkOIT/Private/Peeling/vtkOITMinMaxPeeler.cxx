@@ -3,6 +3,8 @@
 #include "Private/Peeling/vtkOITMinMaxPeeler.h"
 
 #include "Private/Frame/vtkOITFrame.h"
+#include "Private/Frame/vtkOITSettings.h"
+#include "Private/GL/vtkOITOverBlending.h"
 #include "glsl/Common/vtkOITConstants.h"
 
 #include "vtkOITFragmentFS.h"
@@ -12,13 +14,30 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
-//------------------------------------------------------------------------------
-void vtkOITMinMaxPeeler::Prepare(const vtkOITFrame& frame, const vtkOITSettings&)
+namespace
 {
+constexpr int DepthsBuffer = 1; // where coincident fragments are blended
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITMinMaxPeeler::FindMissing(
+  const vtkOITCapabilities& capabilities, const vtkOITSettings& settings) const
+{
+  const std::string missing = vtkOITPeeler::FindMissing(capabilities, settings);
+  return missing.empty() && !vtkOITPeelState::CanWorkInPlace(capabilities)
+    ? FindMissingToBlend(capabilities, settings)
+    : missing;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITMinMaxPeeler::Prepare(const vtkOITFrame& frame, const vtkOITSettings& settings)
+{
+  this->LastOnTop = settings.LastOnTop;
   this->InPlace = vtkOITPeelState::CanWorkInPlace(frame);
   vtkOITShaderText text({ vtkOITFragmentFS, vtkOITMinMaxGatherFS });
   text.Require({ "GL_ARB_explicit_attrib_location" });
   text.Define("OIT_DUAL", this->IsDual).Define("OIT_IN_PLACE", this->InPlace);
+  text.Define("OIT_LAST_ON_TOP", this->LastOnTop);
   text.Define("OIT_CLAMP_COLOR", frame.Target.ClampsColor);
   if (this->InPlace)
   {
@@ -50,7 +69,7 @@ int vtkOITMinMaxPeeler::GetBytesPerPixel(const vtkOITFrame& frame) const
 //------------------------------------------------------------------------------
 int vtkOITMinMaxPeeler::GetNumberOfSums(bool inPlace) const
 {
-  return this->IsDual ? 4 : inPlace ? 0 : 2;
+  return this->IsDual ? (this->LastOnTop ? 3 : 4) : inPlace ? 0 : 2;
 }
 
 //------------------------------------------------------------------------------
@@ -88,12 +107,17 @@ vtkOITFailure vtkOITMinMaxPeeler::GatherByBlending(const vtkOITPeelContext& cont
   const int sums = this->Sums.GetNumberOfLayers();
   vtkOITFailure failure =
     context.State.BindForGather(this->GatherFramebuffer, this->Sums.GetAllLayers(),
-      [sums]
+      [this, sums]
       {
-        const float nothing[4] = { 0.0f, 0.0f, 0.0f, -2.0f };
+        const float nothing[4] = { 0.0f, 0.0f, 0.0f, this->LastOnTop ? 0.0f : -2.0f };
         for (int i = 0; i < sums; ++i)
         {
           glClearBufferfv(GL_COLOR, i, nothing);
+        }
+        const float noDepths[4] = { -2.0f, -2.0f, 0.0f, 0.0f };
+        if (this->LastOnTop)
+        {
+          glClearBufferfv(GL_COLOR, DepthsBuffer, noDepths);
         }
       });
   if (failure)
@@ -103,6 +127,11 @@ vtkOITFailure vtkOITMinMaxPeeler::GatherByBlending(const vtkOITPeelContext& cont
   if (isSetUp)
   {
     vtkOITFramebuffer::DrawInto(2); // depths only: no colours yet
+  }
+  if (this->LastOnTop)
+  {
+    const vtkOITOverBlending blending(gl, DepthsBuffer);
+    return context.RenderGeometry();
   }
   gl->vtkglEnable(GL_BLEND);
   gl->vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_MAX);
@@ -122,7 +151,12 @@ vtkOITFailure vtkOITMinMaxPeeler::Peel(const vtkOITPeelContext& context, int num
   }
   return context.State.Resolve(
     this->ResolveStage,
-    [this] { return vtkOITShaderText({ vtkOITMinMaxResolveFS }).Define("OIT_DUAL", this->IsDual); },
+    [this]
+    {
+      return vtkOITShaderText({ vtkOITMinMaxResolveFS })
+        .Define("OIT_DUAL", this->IsDual)
+        .Define("OIT_LAST_ON_TOP", this->LastOnTop);
+    },
     [&](vtkShaderProgram* program)
     {
       if (program->IsUniformUsed("oitSums"))

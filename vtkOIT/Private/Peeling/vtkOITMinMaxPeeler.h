@@ -11,9 +11,9 @@
  * (Everitt 2001), two-sided the nearest and the farthest (Bavoil and Myers 2008), where shaders
  * cannot read the framebuffer; where they can, vtkOITDualPeeler does it better.
  *
- * Coincident fragments are blended as a group. Where shaders can read the framebuffer, they sum up
+ * Coincident fragments are blended as a group, also in the order of drawing. Where shaders can read the framebuffer, they sum up
  * in place. Otherwise sums are added by blending, depths are kept as the maximum, one way of
- * blending for colours, another for alpha, so no GL beyond 3.2 is needed. Floats throughout: half
+ * blending for colours, another for alpha, so no GL beyond 3.2 is needed but for that order. Floats throughout: half
  * floats for the sums were not faster on llvmpipe, separate buffers for depths neither.
  */
 class vtkOITMinMaxPeeler : public vtkOITPeeler
@@ -24,6 +24,8 @@ public:
   {
   }
 
+  std::string FindMissing(
+    const vtkOITCapabilities& capabilities, const vtkOITSettings& settings) const override;
   int GetNumberOfSetUpPeels() const override { return 1; }
   void Prepare(const vtkOITFrame& frame, const vtkOITSettings& settings) override;
   vtkOITPeelState::Layout GetLayout(const vtkOITFrame& frame) const override;
@@ -45,7 +47,8 @@ private:
   int GetNumberOfSums(bool inPlace) const;
 
   bool IsDual;
-  bool InPlace = false; // of the shaders
+  bool InPlace = false;   // of the shaders
+  bool LastOnTop = false; // of the shaders
   vtkOITGather Gather;
   vtkOITTextureArray Sums;
   vtkOITFramebuffer GatherFramebuffer;

@@ -22,7 +22,8 @@ namespace
 using Access = vtkOITMultiLayerPeeler::Access;
 
 /// Empty, or what the context lacks for this way of access.
-std::string FindMissingFor(const vtkOITCapabilities& capabilities, Access access, int layers)
+std::string FindMissingFor(
+  const vtkOITCapabilities& capabilities, Access access, const vtkOITSettings& settings)
 {
   switch (access)
   {
@@ -35,9 +36,10 @@ std::string FindMissingFor(const vtkOITCapabilities& capabilities, Access access
         ? ""
         : "GL_ARB_fragment_shader_interlock with GL_ARB_shader_image_load_store";
     default:
-      if (layers > 8)
+      if (settings.NumberOfLayersPerPass > 8 || settings.LastOnTop)
       {
-        return "an ordered access to pixels, which 16 layers a pass need";
+        return std::string("an ordered access to pixels, which ") +
+          (settings.LastOnTop ? "CoincidentLayers LAST_ON_TOP needs" : "16 layers a pass need");
       }
       return capabilities.TextureBarrier ? "" : "GL_ARB_texture_barrier";
   }
@@ -66,7 +68,7 @@ Access Choose(const vtkOITCapabilities& capabilities, const vtkOITSettings& sett
   const std::vector<Access> allowed = GetAllowed(settings.Synchronization);
   for (const Access access : allowed)
   {
-    if (FindMissingFor(capabilities, access, settings.NumberOfLayersPerPass).empty())
+    if (FindMissingFor(capabilities, access, settings).empty())
     {
       return access;
     }
@@ -92,7 +94,7 @@ std::string vtkOITMultiLayerPeeler::FindMissing(
   }
   for (const Access access : GetAllowed(settings.Synchronization))
   {
-    missing = FindMissingFor(capabilities, access, settings.NumberOfLayersPerPass);
+    missing = FindMissingFor(capabilities, access, settings);
     if (missing.empty())
     {
       return {};
@@ -113,6 +115,7 @@ bool vtkOITMultiLayerPeeler::UsesStorage(
 void vtkOITMultiLayerPeeler::Prepare(const vtkOITFrame& frame, const vtkOITSettings& settings)
 {
   this->NumberOfLayers = settings.NumberOfLayersPerPass;
+  this->LastOnTop = settings.LastOnTop;
   this->UsedAccess = Choose(*frame.Capabilities, settings);
   const int slots = this->GetNumberOfSlots();
   vtkOITShaderText text(
@@ -128,6 +131,10 @@ void vtkOITMultiLayerPeeler::Prepare(const vtkOITFrame& frame, const vtkOITSetti
     text.Require({ "GL_ARB_fragment_shader_interlock", "GL_ARB_shader_image_load_store",
       "GL_ARB_shading_language_420pack" });
     text.TestDepthEarly();
+  }
+  if (!this->HasPairs() && !this->LastOnTop)
+  {
+    text.ReadPrimitives();
   }
   this->AddVariant(text);
   text.Define("OIT_CLAMP_COLOR", frame.Target.ClampsColor);
@@ -198,11 +205,12 @@ vtkOITFailure vtkOITMultiLayerPeeler::Peel(const vtkOITPeelContext& context, int
   vtkOpenGLState* gl = context.Frame.GLState;
   const bool isRest = this->IsRest;
   const bool hasPairs = this->HasPairs();
+  const bool hasIdentities = !hasPairs && !this->LastOnTop;
   const int slots = this->Slots.GetNumberOfLayers();
   const auto clear = [=]
   {
     constexpr GLuint noDepth = OIT_EMPTY;
-    const GLuint empty[4] = { noDepth, hasPairs ? 0 : 0xffffffff, hasPairs ? noDepth : 0, 0 };
+    const GLuint empty[4] = { noDepth, hasIdentities ? 0xffffffff : 0, hasPairs ? noDepth : 0, 0 };
     const GLuint zero[4] = { 0, 0, 0, 0 };
     for (int i = 0; i < slots; ++i)
     {
@@ -268,6 +276,7 @@ void vtkOITMultiLayerPeeler::AddVariant(vtkOITShaderText& text) const
   text.Define("OIT_INTERLOCK", this->UsedAccess == Access::Interlock);
   text.Define("OIT_BARRIER", this->UsedAccess == Access::Barrier);
   text.Define("OIT_PAIRS", this->HasPairs());
+  text.Define("OIT_LAST_ON_TOP", this->LastOnTop);
   text.Define("OIT_SLOTS", this->GetNumberOfSlots());
 }
 

@@ -51,6 +51,7 @@ private:
 
   int NumberOfLayers = 8; // a peel: 4, 8 or 16
   Access UsedAccess = Access::Fetch;
+  bool LastOnTop = false;
   bool InPlace = false; // of ResolveStage's program
   vtkOITGather Gather;
 

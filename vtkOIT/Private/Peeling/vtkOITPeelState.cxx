@@ -41,7 +41,13 @@ private:
 //------------------------------------------------------------------------------
 bool vtkOITPeelState::CanWorkInPlace(const vtkOITFrame& frame)
 {
-  return frame.Capabilities->FramebufferFetch && frame.Capabilities->EarlyFragmentTests;
+  return CanWorkInPlace(*frame.Capabilities);
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITPeelState::CanWorkInPlace(const vtkOITCapabilities& capabilities)
+{
+  return capabilities.FramebufferFetch && capabilities.EarlyFragmentTests;
 }
 
 //------------------------------------------------------------------------------

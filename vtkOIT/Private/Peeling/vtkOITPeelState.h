@@ -17,6 +17,7 @@
 #include <functional>
 #include <string>
 
+class vtkOITCapabilities;
 struct vtkOITFrame;
 class vtkShaderProgram;
 
@@ -48,7 +49,10 @@ public:
   };
 
   /// Whether shaders of this frame read and write the state in place, as colour buffers.
+  ///@{
   static bool CanWorkInPlace(const vtkOITFrame& frame);
+  static bool CanWorkInPlace(const vtkOITCapabilities& capabilities);
+  ///@}
 
   /// Bytes per pixel of the state and of the depth buffers.
   static int GetBytesPerPixel(const vtkOITFrame& frame, const Layout& layout);

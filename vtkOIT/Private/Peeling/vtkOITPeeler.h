@@ -6,13 +6,13 @@
 #include "Private/Engine/vtkOITGather.h"
 #include "Private/Frame/vtkOITCapabilities.h"
 #include "Private/Frame/vtkOITFailure.h"
+#include "Private/Frame/vtkOITSettings.h"
 #include "Private/Peeling/vtkOITPeelState.h"
 
 #include <functional>
 #include <string>
 
 class vtkProp;
-struct vtkOITSettings;
 struct vtkOITStatistics;
 
 /// What a peeler works with during a frame (or a band of it).
@@ -92,6 +92,16 @@ public:
   virtual void Release() = 0;
 
 protected:
+  /// Empty, or what the context lacks to blend coincident fragments in the order of drawing.
+  static std::string FindMissingToBlend(
+    const vtkOITCapabilities& capabilities, const vtkOITSettings& settings)
+  {
+    return settings.LastOnTop && !capabilities.DrawBuffersBlend
+      ? "CoincidentLayers LAST_ON_TOP: this context lacks GL_ARB_draw_buffers_blend; use a driver "
+        "with OpenGL 4.0 or Mesa's llvmpipe"
+      : "";
+  }
+
   bool IsRest = false; // only during PeelRest()
 };
 

@@ -59,6 +59,10 @@ std::string vtkOITPeelingEngine::FindMissing(
 //------------------------------------------------------------------------------
 std::string vtkOITPeelingEngine::FindMissingIn(const vtkOITFrame& frame) const
 {
+  if (frame.HasLight)
+  {
+    return "peeling does not sort what adds light, as emissive Gaussians do";
+  }
   return frame.Target.Samples > 0
     ? "peeling keeps one sample a pixel and the framebuffer is multisampled; "
       "call SetMultiSamples(0) of the render window for this method"

@@ -26,7 +26,8 @@ vtkOITHookTrial::vtkOITHookTrial()
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkProp*> vtkOITHookTrial::TakeUnhooked(vtkOITFrame& frame, vtkOITGeometry& geometry)
+std::vector<vtkProp*> vtkOITHookTrial::TakeUnhooked(
+  vtkOITFrame& frame, vtkOITGeometry& geometry, const std::function<bool()>& sortsLight)
 {
   std::vector<vtkProp*> unhooked;
   std::vector<vtkProp*> hooked;
@@ -34,7 +35,9 @@ std::vector<vtkProp*> vtkOITHookTrial::TakeUnhooked(vtkOITFrame& frame, vtkOITGe
   {
     if (vtkOITIsSimpleActor(prop))
     {
-      (vtkOITAddsLight(prop) ? unhooked : hooked).push_back(prop);
+      const bool addsLight = vtkOITAddsLight(prop);
+      frame.HasLight = frame.HasLight || (addsLight && sortsLight());
+      (addsLight && !frame.HasLight ? unhooked : hooked).push_back(prop);
       continue;
     }
     Entry& entry = this->Entries[prop];

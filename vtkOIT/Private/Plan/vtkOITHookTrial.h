@@ -11,6 +11,7 @@
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
 
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -26,16 +27,19 @@ struct vtkOITFrame;
  * How a prop is drawn is found by a trial, not from a list of names: it is drawn once into a small
  * picture under a gather that leaves out all fragments; what an occlusion query still counts did not
  * go through the hook. Plain actors with VTK's own mappers are not tried. A trial is kept until the
- * prop changes; a prop that was found stays one. Props that add light are taken with them.
+ * prop changes; a prop that was found stays one. Props that add light are taken with them where no
+ * engine sorts these.
  */
 class vtkOITHookTrial
 {
 public:
   vtkOITHookTrial();
 
-  /// Takes such props, and those that add light, out of the frame and returns them. Changes framebuffer, viewport, scissor,
+  /// Takes such props out of the frame and returns them, and those that add light unless
+  /// `sortsLight`: then the frame knows that it has some. Changes framebuffer, viewport, scissor,
   /// masks and tests.
-  std::vector<vtkProp*> TakeUnhooked(vtkOITFrame& frame, vtkOITGeometry& geometry);
+  std::vector<vtkProp*> TakeUnhooked(
+    vtkOITFrame& frame, vtkOITGeometry& geometry, const std::function<bool()>& sortsLight);
 
   void Release();
 

@@ -85,13 +85,36 @@ std::string vtkOITSorters::FindMissing(
 }
 
 //------------------------------------------------------------------------------
+bool vtkOITSorters::SortsLight(const vtkOITFrame& frame, const vtkOITSettings& settings)
+{
+  const bool isPreview = this->Own && this->Own->IsPreview();
+  return !isPreview && this->HasOne(&vtkOITEngine::SortsLight, frame, settings);
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITSorters::HasOne(
+  bool (vtkOITEngine::*ability)() const, const vtkOITFrame& frame, const vtkOITSettings& settings)
+{
+  for (int which = 0; which < Count; ++which)
+  {
+    const vtkOITEngine* engine = this->Get(which);
+    if (engine && (engine->*ability)() && FindMissingOf(*engine, frame, settings).empty())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 void vtkOITSorters::Draw(const vtkOITFrame& frame, const vtkOITSettings& settings,
   vtkOITGeometry& geometry, vtkOITSavedState& saved, vtkOITStatistics& statistics)
 {
   std::vector<vtkOITRectangle> undrawn{ frame.Rectangle };
   std::string reason; // why the best one does not draw
   bool isExpected = true;
-  const bool canMix = frame.Volumes && this->CanMix(frame, settings);
+  const bool canMix =
+    frame.Volumes && this->HasOne(&vtkOITEngine::MixesVolumes, frame, settings);
   for (int which = 0; which < Count && !undrawn.empty(); ++which)
   {
     vtkOITEngine* engine = this->Get(which);
@@ -168,20 +191,6 @@ void vtkOITSorters::DrawUnsorted(
   BeginUnsorted(frame, saved);
   geometry.DrawUnsorted(frame.Props);
   saved.SetNeutral();
-}
-
-//------------------------------------------------------------------------------
-bool vtkOITSorters::CanMix(const vtkOITFrame& frame, const vtkOITSettings& settings)
-{
-  for (int which = 0; which < Count; ++which)
-  {
-    vtkOITEngine* engine = this->Get(which);
-    if (engine && engine->MixesVolumes() && FindMissingOf(*engine, frame, settings).empty())
-    {
-      return true;
-    }
-  }
-  return false;
 }
 
 //------------------------------------------------------------------------------

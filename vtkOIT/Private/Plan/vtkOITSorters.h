@@ -36,6 +36,10 @@ public:
   /// only, when there is one.
   std::string FindMissing(const vtkOITCapabilities& capabilities, const vtkOITSettings& settings);
 
+  /// Whether one of them can sort props that add light in this frame, and may take the place of the
+  /// own one.
+  bool SortsLight(const vtkOITFrame& frame, const vtkOITSettings& settings);
+
   /// Draws the props inside of the frame's rectangle over its target. The statistics tell by which
   /// method, and why.
   void Draw(const vtkOITFrame& frame, const vtkOITSettings& settings, vtkOITGeometry& geometry,
@@ -48,7 +52,8 @@ private:
   static constexpr int Count = 3;
   vtkOITEngine* Get(int which);
   void ReleaseOthers(const vtkOITEngine* used);
-  bool CanMix(const vtkOITFrame& frame, const vtkOITSettings& settings);
+  bool HasOne(bool (vtkOITEngine::*ability)() const, const vtkOITFrame& frame,
+    const vtkOITSettings& settings);
   static void DrawUnsorted(
     const vtkOITFrame& frame, vtkOITGeometry& geometry, const vtkOITSavedState& saved);
   static void DrawVolumesOver(

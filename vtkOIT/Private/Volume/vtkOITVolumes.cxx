@@ -71,12 +71,10 @@ bool IsDrawnByGPU(vtkVolume* volume)
       volume->GetMapper()->IsA("vtkMultiBlockVolumeMapper");
   }
   const int requested = smart->GetRequestedRenderMode();
-  const int used = smart->GetLastUsedRenderMode();
-  // A mapper that has not drawn yet says neither.
+  // Where there is no GPU, it draws by the CPU, and says so once it has drawn.
   return (requested == vtkSmartVolumeMapper::DefaultRenderMode ||
            requested == vtkSmartVolumeMapper::GPURenderMode) &&
-    (used < vtkSmartVolumeMapper::RayCastRenderMode || used >= LastKnownMode ||
-      used == vtkSmartVolumeMapper::GPURenderMode);
+    smart->GetLastUsedRenderMode() != vtkSmartVolumeMapper::RayCastRenderMode;
 }
 
 /// Volumes that mappers draw into pictures of their own are not.

@@ -20,8 +20,8 @@ public:
   std::string GetAlgorithmName(const vtkOITSettings& settings) const override;
   std::string FindMissing(
     const vtkOITCapabilities& capabilities, const vtkOITSettings& settings) const override;
-  bool IsPreview() const override { return true; }
   std::string FindMissingIn(const vtkOITFrame& frame) const override;
+  bool IsPreview() const override { return true; }
   vtkOITFailure Draw(const vtkOITFrame& frame, const vtkOITSettings& settings,
     vtkOITGeometry& geometry, vtkOITStatistics& statistics) override;
   std::int64_t GetSizeInBytes() const override;

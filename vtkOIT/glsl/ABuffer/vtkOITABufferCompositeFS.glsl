@@ -6,7 +6,8 @@
 // a sample in multisampled framebuffers.
 //
 // Fragments of one depth form a group, in which each counts once: the group's opacity is
-// 1 - prod(1 - alpha), its colour the mean of the members weighted by alpha.
+// 1 - prod(1 - alpha), its colour the mean of the members weighted by alpha; light lies on top of it.
+// With OIT_LAST_ON_TOP each fragment is a group of its own: Sort has the last drawn before the others.
 //
 // The rounding error of T -= T alpha is kept and added again (Kahan, Further remarks on reducing
 // truncation errors, CACM 1965): a thousand layers of opacity 1e-6 would be 1 % off without. Not for
@@ -33,8 +34,15 @@ vec2 oitAdd(float value, float change)
   return vec2(sum, rest);
 }
 
+#ifdef OIT_HAS_LIGHT
+#define OIT_ADD_LIGHT color += transmittance * light;
+#else
+#define OIT_ADD_LIGHT
+#endif
+
 #define OIT_BLEND_GROUP                                                                            \
   {                                                                                                \
+    OIT_ADD_LIGHT                                                                                  \
     float w = transmittance * opacity;                                                             \
     color += members > 1u ? transmittance * (weighted * (opacity / weight)) : w * latest;          \
     vec2 sum = oitAdd(transmittance, rest - w);                                                    \
@@ -78,13 +86,16 @@ void main()
   uint members = 0u;
   vec3 latest = vec3(0.0);
   uint groups = 0u;
+#ifdef OIT_HAS_LIGHT
+  vec3 light = vec3(0.0);
+#endif
   while (node != OIT_END && transmittance > oitThreshold)
   {
     OITFragment fragment = oitRead(node);
     node = fragment.Next;
     if (OIT_IS_COVERED(fragment))
     {
-      if (fragment.Key != key)
+      if (!OIT_IS_OF_GROUP(fragment))
       {
         OIT_BLEND_GROUP
         key = fragment.Key;
@@ -92,8 +103,18 @@ void main()
         weight = 0.0;
         weighted = vec3(0.0);
         members = 0u;
+#ifdef OIT_HAS_LIGHT
+        light = vec3(0.0);
+#endif
       }
       vec4 c = oitUnpack(fragment.Color);
+#ifdef OIT_HAS_LIGHT
+      light += oitGetAdded(c);
+      if (c.a > 1.0)
+      {
+        continue;
+      }
+#endif
       opacity += (1.0 - opacity) * c.a;
       weight += c.a;
       weighted += c.a * c.rgb;

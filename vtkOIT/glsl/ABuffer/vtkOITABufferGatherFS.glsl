@@ -13,6 +13,9 @@
 // cannot have that, their test runs after. With OIT_HEAD_IN_TARGET that is as good: the list heads
 // are the colour buffer, read by framebuffer fetch, and a fragment that fails the test does not
 // become the head. Otherwise (OIT_TEST_DEPTH) they compare with a copy of the depth buffer.
+//
+// With OIT_LAST_ON_TOP nodes of a pixel count up in the order of drawing: by framebuffer fetch, or by
+// the interlock. Without both, each has its place in that order (OIT_HAS_DRAW_ORDER).
 
 #ifdef OIT_HEAD_IN_TARGET
 inout uint oitHead;
@@ -29,10 +32,16 @@ uniform sampler2D oitOpaqueDepth;
 //VTK::OIT::DepthTest
 #endif
 
-void main()
-{
-  oitShade();
+#ifdef OIT_HAS_DRAW_ORDER
+uniform int oitDrawNumber; // in this geometry pass
+#endif
 
+#ifdef OIT_INTERLOCK
+layout(pixel_interlock_ordered) in;
+#endif
+
+void oitCapture()
+{
   float opacity = oitGetOpacity();
   if (opacity == 0.0)
   {
@@ -64,7 +73,11 @@ void main()
 #endif
 
   uint key = floatBitsToUint(depth);
+#ifdef OIT_HAS_LIGHT
+  OITColor color = oitPack(oitGetLightOr(vec4(oitFragColor.rgb, opacity)));
+#else
   OITColor color = oitPack(vec4(oitFragColor.rgb, opacity));
+#endif
 #ifdef OIT_HEAD_IN_TARGET
   // The next node of the page of the pixel's last fragment, or the first one of a new page. The
   // test of the colour is never true: halves are at most 0x7bff. Without it, LLVM moves the packing
@@ -94,18 +107,34 @@ void main()
 #ifndef OIT_HEAD_IN_TARGET
   uint next = imageAtomicExchange(oitHeads, pixel, node);
 #endif
+  uint word = OIT_WORD(node);
 #ifdef OIT_WIDE_NODES
 #if OIT_SAMPLES > 0
-  oitStore(2u * node, uvec4(key, mask, 0u, next));
+  oitStore(word, uvec4(key, mask, 0u, next));
 #else
-  oitStore(2u * node, uvec4(key, 0u, 0u, next));
+  oitStore(word, uvec4(key, 0u, 0u, next));
 #endif
 #ifdef OIT_FLOAT_COLOR
-  oitStore(2u * node + 1u, color);
+  oitStore(word + 1u, color);
 #else
-  oitStore(2u * node + 1u, uvec4(color, 0u, 0u));
+  oitStore(word + 1u, uvec4(color, 0u, 0u));
 #endif
 #else
-  oitStore(node, uvec4(key, color, next));
+  oitStore(word, uvec4(key, color, next));
+#endif
+#ifdef OIT_HAS_DRAW_ORDER
+  oitStore(word + uint(OIT_NODE_TEXELS - 1), uvec4(oitDrawNumber, gl_PrimitiveID, 0u, 0u));
+#endif
+}
+
+void main()
+{
+  oitShade();
+#ifdef OIT_INTERLOCK
+  beginInvocationInterlockARB(); // so that lists are in the order of drawing
+#endif
+  oitCapture();
+#ifdef OIT_INTERLOCK
+  endInvocationInterlockARB();
 #endif
 }

@@ -10,8 +10,10 @@
 //   narrow  [0] = depth key, colour rg, colour ba, next node
 //   wide    [0] = depth key, sample mask, unused, next node   [1] = colour
 //
+// With OIT_HAS_DRAW_ORDER one more uvec4 follows: number of the draw, and of the primitive in it.
+//
 // Defined by the pass: OIT_WIDE_NODES, OIT_FLOAT_COLOR, OIT_NODES_IN_IMAGE (the pool is larger than
-// a storage block may be, so it is reached as a buffer texture), OIT_SAMPLES.
+// a storage block may be, so it is reached as a buffer texture), OIT_SAMPLES, OIT_NODE_TEXELS.
 
 // Node 0 is never used, it is the end of a list: llvmpipe gives 0 to pixels of a block that are not
 // covered but run along, and a walk over a list must end for them, too.
@@ -80,10 +82,6 @@ uint oitLoadNext(uint word) { return oitNodeWords[4u * word + 3u]; }
 void oitStoreNext(uint word, uint next) { oitNodeWords[4u * word + 3u] = next; }
 #endif
 
-#ifdef OIT_WIDE_NODES
-#define OIT_WORD(node) (2u * (node))
-#else
-#define OIT_WORD(node) (node)
-#endif
+#define OIT_WORD(node) (uint(OIT_NODE_TEXELS) * (node))
 
 //VTK::OIT::Half

@@ -43,10 +43,17 @@ uniform float oitThreshold; // of the transmittance
 #define OIT_IS_AT_END false
 #endif
 
+#ifdef OIT_HAS_LIGHT
+#define OIT_ADD_LIGHT(c) color += (OIT_IS_AT_END ? 0.0 : transmittance) * oitGetAdded(c);
+#else
+#define OIT_ADD_LIGHT(c)
+#endif
+
 #define OIT_BLEND(i)                                                                               \
   {                                                                                                \
     vec4 c = oitUnpack(color##i);                                                                  \
-    float w = OIT_IS_AT_END ? 0.0 : transmittance * c.a;                                           \
+    OIT_ADD_LIGHT(c)                                                                               \
+    float w = OIT_IS_AT_END ? 0.0 : transmittance * oitGetCover(c);                                \
     color += w * c.rgb;                                                                            \
     transmittance -= w;                                                                            \
   }

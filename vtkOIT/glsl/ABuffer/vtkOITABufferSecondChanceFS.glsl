@@ -20,7 +20,7 @@
 flat in int oitNetworkSize; // of the first try; -1: this is the first
 
 // As it is blended, to the bit; not the last one kept, which might coincide with one that was not.
-#define OIT_THIN(i) thin -= thin * oitUnpack(color##i).a;
+#define OIT_THIN(i) thin -= thin * oitGetCover(oitUnpack(color##i));
 
 // What is not one of the nearest of a long list.
 #define OIT_FORGET(i)                                                                              \

@@ -19,11 +19,17 @@
 uniform int oitFirstWidth;
 uniform int oitLastWidth;
 
-// A total order: fragments that still compare equal are the same, so that the picture does not
-// depend on the order in which they were drawn, to the last bit.
+// A total order. With OIT_LAST_ON_TOP a coincident fragment that was drawn later is before; otherwise
+// fragments that still compare equal are the same, so that the picture does not depend on the order in
+// which they were drawn, to the last bit.
 bool oitIsBefore(OITFragment a, OITFragment b)
 {
   if (a.Key != b.Key) return a.Key < b.Key;
+#if defined(OIT_LAST_ON_TOP)
+  if (a.Order.x != b.Order.x) return a.Order.x > b.Order.x;
+  if (a.Order.y != b.Order.y) return a.Order.y > b.Order.y;
+  return a.Order.z > b.Order.z;
+#else
   if (a.Color.x != b.Color.x) return a.Color.x < b.Color.x;
 #ifdef OIT_FLOAT_COLOR
   if (a.Color.y != b.Color.y) return a.Color.y < b.Color.y;
@@ -32,10 +38,11 @@ bool oitIsBefore(OITFragment a, OITFragment b)
 #else
   return a.Color.y < b.Color.y;
 #endif
+#endif
 }
 
 #define OIT_LOAD(i)                                                                                \
-  OITFragment f##i = OITFragment(OIT_NO_KEY, 0u, OITColor(0u), OIT_END);                           \
+  OITFragment f##i = OIT_NO_FRAGMENT;                                                            \
   if (node != OIT_END)                                                                             \
   {                                                                                                \
     f##i = oitRead(node);                                                                          \
@@ -69,7 +76,7 @@ uint oitMakeRuns(uint head, out uint runs)
   uint node = head;
   uint tailBefore = OIT_END; // of the run before the current one
   // The ends of the current run.
-  OITFragment nearest = OITFragment(OIT_NO_KEY, 0u, OITColor(0u), OIT_END);
+  OITFragment nearest = OIT_NO_FRAGMENT;
   OITFragment farthest = nearest;
   runs = 0u;
   while (node != OIT_END)

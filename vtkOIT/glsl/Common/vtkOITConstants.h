@@ -21,6 +21,7 @@
 #define OIT_END 0u           // no node: node 0 is never used
 #define OIT_PAGE_SIZE 4u     // nodes of a page
 #define OIT_LEFT 0x80000000u // bit of a head: the pixel is left for Sort and Composite
+#define OIT_LIGHT 2.0        // above all opacities: premultiplied light, see vtkOITFragmentFS.glsl
 #define OIT_RUN_SIZE 16      // nodes of the runs that Sort starts from
 #define OIT_LONG_LIST 32     // fragments up to which all are composited, whatever the threshold
 #define OIT_NETWORK_COUNT 8  // sorting networks in registers, and the fragments that they take
@@ -65,4 +66,5 @@
 
 // Bucket depth peeling: buffers of four channels; bins of the histogram.
 #define OIT_BUCKET_BUFFERS 8
+#define OIT_BUCKET_DEPTHS 4 // that has the depths where coincident fragments are blended
 #define OIT_BINS 1024

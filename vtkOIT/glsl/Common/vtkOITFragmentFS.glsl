@@ -34,6 +34,16 @@ vec3 oitGetRGB()
 #endif
 }
 
+// With OIT_HAS_LIGHT some props add light: their fragments have no opacity, and their colour is
+// premultiplied with what would be it. OIT_LIGHT stands in the place of the opacity.
+#ifdef OIT_HAS_LIGHT
+uniform int oitIsLight; // the prop is one of those
+vec4 oitGetLightOr(vec4 color)
+{
+  return oitIsLight != 0 ? vec4(color.a * oitGetRGB(), OIT_LIGHT) : color;
+}
+#endif
+
 // Colour and opacity, finite, so that sums are.
 vec4 oitGetColor()
 {

@@ -5,6 +5,9 @@
 // farthest, by MAX blending. Colours: fragments at the depths of four slots are summed up, each slot
 // as a group of coincident fragments; the nearest fragment is found that no slot of this
 // peel has captured, and the farthest of all. Colours are added, alpha is kept as the maximum.
+//
+// With OIT_LAST_ON_TOP groups are blended in the order of drawing: GL_ONE, GL_ONE_MINUS_SRC_ALPHA, but in
+// buffer OIT_BUCKET_DEPTHS, which keeps the maximum of depths and sums up alpha.
 
 uniform sampler2DArray oitDepths; // of the buckets
 uniform sampler2DArray oitSlots;  // the depths of the buckets, sorted
@@ -70,6 +73,18 @@ void main()
   vec3 sums = vec3(color.a, oitGetOpticalDepth(color.a), 1.0);
 
   bool isColor = oitIsColorStage != 0;
+#ifdef OIT_LAST_ON_TOP
+  vec4 layer = vec4(weighted, countsLost ? 0.0 : color.a);
+  oitOut0 = isColor ? match.x * layer : oitGetDepths(0, bucket, depth);
+  oitOut1 = isColor ? match.y * layer : oitGetDepths(1, bucket, depth);
+  oitOut2 = isColor ? match.z * layer : oitGetDepths(2, bucket, depth);
+  oitOut3 = isColor ? match.w * layer : oitGetDepths(3, bucket, depth);
+  vec2 depths = vec2(isOut ? -depth : OIT_NO_DEPTH, isLeft ? depth : OIT_NO_DEPTH);
+  oitOut4 = isColor ? vec4(depths, 0.0, match.w) : oitGetDepths(4, bucket, depth);
+  oitOut5 = isColor ? vec4(match.xyz, 0.0) : oitGetDepths(5, bucket, depth);
+  oitOut6 = isColor ? vec4(0.0) : oitGetDepths(6, bucket, depth);
+  oitOut7 = isColor ? vec4(0.0) : oitGetDepths(7, bucket, depth);
+#else
   oitOut0 = isColor ? vec4(match.x * weighted, isOut ? -depth : OIT_NO_DEPTH)
                     : oitGetDepths(0, bucket, depth);
   oitOut1 = isColor ? vec4(match.y * weighted, isLeft ? depth : OIT_NO_DEPTH)
@@ -80,4 +95,5 @@ void main()
   oitOut5 = isColor ? vec4(match.y * sums, 0.0) : oitGetDepths(5, bucket, depth);
   oitOut6 = isColor ? vec4(match.z * sums, 0.0) : oitGetDepths(6, bucket, depth);
   oitOut7 = isColor ? vec4(match.w * sums, 0.0) : oitGetDepths(7, bucket, depth);
+#endif
 }

@@ -23,8 +23,14 @@ vec4 oitLoadSums(int layer)
 
 void oitBlendSlot(int slot, float depth, float nearestOut)
 {
+#ifdef OIT_LAST_ON_TOP
+  vec4 layer = oitLoadSums(slot);
+  float count = slot < 3 ? oitLoadSums(5)[slot] : oitLoadSums(OIT_BUCKET_DEPTHS).a;
+  OITGroup group = OITGroup(layer.rgb, layer.a, 0.0, count);
+#else
   vec3 sums = oitLoadSums(4 + slot).rgb;
   OITGroup group = OITGroup(oitLoadSums(slot).rgb, sums.x, sums.y, sums.z);
+#endif
   if (group.Count > 0.0 && depth < nearestOut)
   {
     float opacity = oitGetGroupOpacity(group);
@@ -51,7 +57,11 @@ void main()
     oitSetBounds(2.0, -2.0);
     return;
   }
+#ifdef OIT_LAST_ON_TOP
+  vec2 outside = oitLoadSums(OIT_BUCKET_DEPTHS).xy * vec2(-1.0, 1.0);
+#else
   vec2 outside = vec2(-oitLoadSums(0).a, oitLoadSums(1).a);
+#endif
   vec4 slots = texelFetch(oitSlots, ivec3(gl_FragCoord.xy, oitSlotLayer), 0);
   bool isAll = oitIsSingleShot != 0 || oitRest != 0;
   float nearestOut = isAll ? 8.0 : outside.x;

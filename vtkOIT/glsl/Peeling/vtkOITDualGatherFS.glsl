@@ -3,7 +3,8 @@
 //
 // Gather, for dual depth peeling where shaders can read the framebuffer: of the fragments between
 // the layers peeled last, the nearest and the farthest ones are kept, by insertion into the sorted
-// groups of the pixel.
+// groups of the pixel. Fragments come in the order of drawing, so one that joins a group lies on top of
+// it, if that is wanted (OIT_LAST_ON_TOP).
 
 uniform int oitFirst; // not 0: the first peel, everything is left
 uniform int oitRest;  // not 0: all that is left counts as one group
@@ -65,8 +66,12 @@ bool oitInsert(int key, vec4 color)
   }
   bool isJoining = joined.Key == key;
   vec4 mean = oitUnpack(joined.Color);
-  float weight = joined.Opacity * mean.a + color.a;
   float opacity = joined.Opacity + (1.0 - joined.Opacity) * color.a;
+#ifdef OIT_LAST_ON_TOP
+  float weight = opacity;
+#else
+  float weight = joined.Opacity * mean.a + color.a;
+#endif
   vec3 newMean = mean.rgb + (color.rgb - mean.rgb) * (color.a / weight);
 #ifdef OIT_FLOAT_COLOR // the smallest that the format tells from 1
   const float smallestRatio = 1.00000012;

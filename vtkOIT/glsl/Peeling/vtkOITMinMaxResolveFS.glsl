@@ -48,6 +48,12 @@ void main()
   OITGroup front = OITGroup(oitState3.rgb, oitState3.a, 0.0, group.y);
   float opacity = group.x;
   vec2 depths = oitState2.zw;
+#elif defined(OIT_LAST_ON_TOP)
+  vec4 color = oitLoadSums(0);
+  vec4 sums = oitLoadSums(1);
+  OITGroup front = OITGroup(color.rgb, color.a, 0.0, sums.a); // and those at the back
+  float opacity = color.a;
+  vec2 depths = sums.xy;
 #else
   vec4 color = oitLoadSums(0);
   vec4 sums = oitLoadSums(1);
@@ -65,8 +71,12 @@ void main()
 #ifdef OIT_DUAL
   oitLoadBackState();
   vec4 backColor = oitLoadSums(2);
+#ifdef OIT_LAST_ON_TOP
+  OITGroup back = OITGroup(backColor.rgb, backColor.a, 0.0, 0.0);
+#else
   vec4 backSums = oitLoadSums(3);
   OITGroup back = OITGroup(backColor.rgb, backSums.x, backSums.y, backSums.z);
+#endif
   float backOpacity = oitGetGroupOpacity(back);
   oitBlendOver(oitGetGroupColor(back, backOpacity), backOpacity);
   oitState1.x += back.Count;

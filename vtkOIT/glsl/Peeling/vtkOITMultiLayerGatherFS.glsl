@@ -73,6 +73,9 @@ void oitAddToRest(vec4 color, bool isLeft)
   vec4 group = uintBitsToFloat(slots[1]);
   if (isLeft)
   {
+#ifdef OIT_LAST_ON_TOP
+    sums *= 1.0 - color.a;
+#endif
     sums += vec4(color.a * color.rgb, color.a);
     group.x += (1.0 - group.x) * color.a;
     group.y += 1.0;
@@ -101,16 +104,24 @@ void main()
   }
 #ifdef OIT_PAIRS
   isLeft = isLeft && depth != bounds.x;
-#else
+#elif !defined(OIT_LAST_ON_TOP)
   uint id = uint(gl_PrimitiveID) + uint(oitDrawNumber) * 2654435761u;
   uint lastId = uint(bounds.z) * 65536u + uint(bounds.w);
   isLeft = isLeft && (depth != bounds.x || id > lastId);
 #endif
-  uint key = isLeft ? floatBitsToUint(depth) : OIT_EMPTY;
 #ifdef OIT_INTERLOCK
   beginInvocationInterlockARB();
 #endif
   //VTK::OIT::LoadSlots
+#if defined(OIT_LAST_ON_TOP) && !defined(OIT_PAIRS)
+  const uint id = 0u;
+  bool isAtLast = isLeft && depth == bounds.x;
+  uint taken = uint(bounds.z) * 65536u + uint(bounds.w); // of those
+  uint seen = slots[OIT_SLOTS - 1].y + uint(isAtLast);
+  slots[OIT_SLOTS - 1].y = id;
+  isLeft = isLeft && (!isAtLast || seen > taken);
+#endif
+  uint key = isLeft ? floatBitsToUint(depth) : OIT_EMPTY;
 #ifdef OIT_BARRIER
   // Finds out whether the fragment changes anything: it does not when it is in a slot already, or
   // behind all of them. The product of the paper's duplicate test underflows for close layers.
@@ -137,6 +148,9 @@ void main()
     oitInsert(key, id, color);
 #endif
   }
+#if defined(OIT_LAST_ON_TOP) && !defined(OIT_PAIRS)
+  slots[OIT_SLOTS - 1].y = seen;
+#endif
   //VTK::OIT::StoreSlots
 #ifdef OIT_INTERLOCK
   endInvocationInterlockARB();

@@ -7,6 +7,7 @@
 
 //VTK::OIT::State
 
+// With OIT_LAST_ON_TOP the group is blended instead, in the order of drawing.
 OIT_STATE_LAYER(3) // open group: sums of opacity times colour and of opacity
 OIT_STATE_LAYER(4) // opacity of the open group, its depth, count
 
@@ -27,8 +28,12 @@ void oitCloseGroup()
   float opacity = oitState4.x;
   if (sums.a > 0.0)
   {
+#ifdef OIT_LAST_ON_TOP
+    oitBlendUnder(sums.rgb, opacity);
+#else
     // For a single fragment the factor is 1.
     oitBlendUnder(sums.rgb * (opacity / sums.a), opacity);
+#endif
   }
   oitState3 = vec4(0.0) * opacity;
   oitState4.xz = vec2(0.0);
@@ -48,6 +53,9 @@ void oitAddLayer(uint key, vec4 color)
 #ifdef OIT_PAIRS
   // Half a step of 8 bits of each colour, and of each opacity times the colours behind.
   oitState1.z += oitState0.a * (1.0 + color.a) * (0.5 / 255.0);
+#endif
+#ifdef OIT_LAST_ON_TOP
+  oitState3 *= 1.0 - color.a;
 #endif
   oitState3 += vec4(color.a * color.rgb, color.a);
   oitState4.x += (1.0 - oitState4.x) * color.a;
@@ -96,7 +104,16 @@ void main()
   {
     oitAddLayer(slots[i].x, oitUnpack(slots[i].zw));
   }
+#ifdef OIT_LAST_ON_TOP
+  // How many of the last depth were taken, in all peels.
+  uint id = uintBitsToFloat(last) == oitState2.x ? uint(oitState2.z) * 65536u + uint(oitState2.w) : 0u;
+  for (int i = 0; i < OIT_SLOTS; ++i)
+  {
+    id += uint(slots[i].x == last);
+  }
+#else
   uint id = slots[OIT_SLOTS - 1].y;
+#endif
 #endif
 #ifdef OIT_BARRIER
   bool isMore = last < OIT_EMPTY; // what was behind has left no trace

@@ -8,7 +8,9 @@
 //   OIT_PAIRS    depth, colour (RGBA8), depth, colour
 //
 // Depths are the bits of a float in [0, 1], so they sort as integers and have two bits to spare. The
-// identity tells coincident fragments apart: fragments are ordered by depth, then by identity.
+// identity tells coincident fragments apart: fragments are ordered by depth, then by identity. With
+// OIT_LAST_ON_TOP they come in the order of drawing, and stay in it without an identity; that of the last
+// slot counts, in a geometry pass, those which have the depth of the layer peeled last.
 
 #define OIT_DEPTH_MASK 0x3fffffffu
 #define OIT_MORE 0x80000000u // of the last depth: fragments behind it were left out

@@ -15,14 +15,14 @@
 // entry, and cuts them off the list. What is left over, Composite draws.
 
 uint oitNode = OIT_END; // the next fragment
-OITFragment oitNext = OITFragment(OIT_NO_KEY, 0u, OITColor(0u), OIT_END);
+OITFragment oitNext = OIT_NO_FRAGMENT;
 vec2 oitDistances = vec2(0.0); // of window depths 0 and 1 in steps, homogeneous
 vec2 oitWeights = vec2(1.0);
 bool oitIsCut = false; // the ray has ended at the threshold
 
 void oitGoTo(uint node)
 {
-  oitNext = OITFragment(OIT_NO_KEY, 0u, OITColor(0u), OIT_END);
+  oitNext = OIT_NO_FRAGMENT;
   oitNode = node;
 #if OIT_SAMPLES > 0
   while (oitNode != OIT_END)
@@ -64,15 +64,20 @@ void oitAddGroup()
   float opacity = 0.0;
   float weight = 0.0;
   vec3 weighted = vec3(0.0);
+  vec3 light = vec3(0.0);
   do
   {
     vec4 c = oitUnpack(oitNext.Color);
-    opacity += (1.0 - opacity) * c.a;
-    weight += c.a;
-    weighted += c.a * c.rgb;
+    float cover = oitGetCover(c);
+    opacity += (1.0 - opacity) * cover;
+    weight += cover;
+    weighted += cover * c.rgb;
+#ifdef OIT_HAS_LIGHT
+    light += oitGetAdded(c);
+#endif
     oitGoTo(oitNext.Next);
-  } while (oitNode != OIT_END && oitNext.Key == key);
-  vec3 color = weighted * (opacity / max(weight, 1e-30));
+  } while (oitNode != OIT_END && OIT_IS_OF_GROUP(oitNext));
+  vec3 color = light + weighted * (opacity / max(weight, 1e-30));
   oitAddBehind(vec4((color - in_bias * opacity) / in_scale, opacity));
 }
 

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Every renderer of a process, without a word to the application: reached, as it was between frames,
+// and given back.
+
+#include "Oracle/ReferenceCompositor.h"
+#include "Rig/Rig.h"
+#include "Scenes/Random.h"
+
+#include "vtkDefaultPass.h"
+#include "vtkNew.h"
+#include "vtkOITProcessHook.h"
+#include "vtkOITRendererHook.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOutputWindow.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSSAAPass.h"
+#include "vtkStringOutputWindow.h"
+
+using namespace vtkOITTest;
+
+namespace
+{
+/// Keeps what VTK says for the time of a scope.
+class Messages
+{
+public:
+  Messages() { vtkOutputWindow::SetInstance(this->Window); }
+  ~Messages() { vtkOutputWindow::SetInstance(this->Previous); }
+  std::string Get() { return this->Window->GetOutput(); }
+
+private:
+  vtkSmartPointer<vtkOutputWindow> Previous = vtkOutputWindow::GetInstance();
+  vtkNew<vtkStringOutputWindow> Window;
+};
+
+/// A renderer of VTK's, as an application makes it, with a stack of layers in a window of its own.
+struct Application
+{
+  explicit Application(const Setup& setup)
+    : Scene(setup, 16, 12)
+    , Layers(Random(61).Layers(8))
+    , Expected(Everywhere(ReferenceCompositor::Composite(this->Layers, Scene.GetBackground())))
+  {
+    setup.Detach(this->Scene.Renderer);
+    this->Scene.Renderer->UseDepthPeelingOff();
+    this->Scene.AddStack(this->Layers);
+  }
+
+  vtkOITPass* GetPass() const { return vtkOITRendererHook::GetInstalledPass(this->Scene.Renderer); }
+
+  /// Whether the next frame is right, and drawn by a pass.
+  void CheckReached(Report& report, const std::string& what)
+  {
+    const int switched = this->Scene.Renderer->GetUseDepthPeeling();
+    report.Compare(what, this->Scene.RenderWindow(), this->Expected, Rig::WindowTolerance());
+    vtkOITPass* pass = this->GetPass();
+    report.Check(pass && pass->GetNumberOfGeometryPasses() > 0 && pass->GetExact(),
+      what + ": there is no pass, or it did not draw");
+    report.Check(this->Scene.Renderer->GetUseDepthPeeling() == switched,
+      what + ": the renderer's UseDepthPeeling is changed");
+  }
+
+  Rig Scene;
+  std::vector<Layer> Layers;
+  Report::Expected Expected;
+};
+
+void CheckReach(Report& report, const Setup& setup)
+{
+  const Image stock = Application(setup).Scene.RenderWindow();
+  Application before(setup);
+  report.Check(vtkOITProcessHook::Install("abuffer"), "not installed");
+  report.Check(vtkOITProcessHook::GetInstalledMethod() == "abuffer", "another method");
+  vtkNew<vtkRenderer> single;
+  report.Check(vtkOITRendererHook::GetInstalledPass(single), "no pass in a new renderer");
+
+  Application application(setup);
+  vtkRenderer* renderer = application.Scene.Renderer;
+  application.CheckReached(report, "a renderer of a new window");
+  vtkOITPass* pass = application.GetPass();
+  renderer->UseDepthPeelingOn();
+  application.CheckReached(report, "with peeling switched on");
+  renderer->UseDepthPeelingOff();
+  renderer->RemoveAllObservers();
+  application.CheckReached(report, "without observers");
+  report.Check(application.GetPass() == pass, "another pass after some frames");
+
+  vtkNew<vtkOpenGLRenderer> own; // as an application's class, past the factory
+  own->SetLayer(1);
+  application.Scene.Window->SetNumberOfLayers(2);
+  application.Scene.Window->AddRenderer(own);
+  application.CheckReached(report, "with a second renderer");
+  report.Check(vtkOITRendererHook::GetInstalledPass(own), "no pass in a renderer added later");
+  application.Scene.Window->RemoveRenderer(own);
+
+  before.Scene.RenderWindow();
+  report.Check(!before.GetPass(), "a window from before was reached");
+  vtkOITProcessHook::ReachWindow(before.Scene.Window);
+  before.CheckReached(report, "a window from before, when asked for");
+
+  report.Check(vtkOITProcessHook::Uninstall(), "not uninstalled");
+  report.Check(!vtkOITProcessHook::Uninstall(), "uninstalled twice");
+  for (vtkRenderer* each : { renderer, before.Scene.Renderer.Get(), single.Get() })
+  {
+    report.Check(!vtkOITRendererHook::GetInstalledPass(each), "a pass is left in a renderer");
+  }
+  report.CompareBits("after uninstalling", application.Scene.RenderWindow(), stock);
+  report.Check(!application.GetPass(), "reached after uninstalling");
+  vtkNew<vtkRenderer> late;
+  report.Check(!vtkOITRendererHook::GetInstalledPass(late), "a pass in a renderer made later");
+}
+
+/// Chains of passes: those that have a slot are reached, others are drawn as without us.
+void CheckChains(Report& report, const Setup& setup)
+{
+  vtkNew<vtkRenderStepsPass> steps;
+  vtkRenderPass* translucent = steps->GetTranslucentPass();
+  vtkNew<vtkSSAAPass> ssaa;
+  ssaa->SetDelegatePass(steps);
+  vtkNew<vtkDefaultPass> hidden;
+  Application stock(setup);
+  stock.Scene.Renderer->SetPass(hidden);
+  const Image without = stock.Scene.RenderWindow();
+
+  vtkOITProcessHook::Install();
+  Messages messages;
+  Application application(setup);
+  application.Scene.Renderer->SetPass(ssaa);
+  application.CheckReached(report, "a chain");
+  report.Check(steps->GetTranslucentPass() == application.GetPass(), "not in the chain's slot");
+  application.Scene.Renderer->SetPass(hidden);
+  report.CompareBits("a chain that hides its pass", application.Scene.RenderWindow(), without);
+  application.Scene.Renderer->SetPass(ssaa);
+  application.CheckReached(report, "the chain again");
+  vtkOITProcessHook::Uninstall();
+  report.Check(steps->GetTranslucentPass() == translucent, "the slot is not given back");
+  report.Check(messages.Get().empty(), "the application was told: " + messages.Get());
+}
+
+void CheckRespect(Report& report, const Setup& setup)
+{
+  Application stock(setup);
+  const Image without = stock.Scene.RenderWindow();
+  vtkOITProcessHook::SetRespectDepthPeeling(true);
+  vtkOITProcessHook::Install();
+  {
+    Messages messages;
+    Application application(setup);
+    report.CompareBits("peeling off", application.Scene.RenderWindow(), without);
+    application.Scene.Renderer->UseDepthPeelingOn();
+    application.CheckReached(report, "peeling on");
+    application.Scene.Renderer->UseDepthPeelingOff();
+    report.CompareBits("peeling off again", application.Scene.RenderWindow(), without);
+    report.Check(messages.Get().empty(), "the application was told: " + messages.Get());
+  }
+  vtkOITProcessHook::Uninstall();
+  vtkOITProcessHook::SetRespectDepthPeeling(false);
+}
+
+/// An application that knows vtkOIT keeps its passes.
+void CheckOthers(Report& report, const Setup& setup)
+{
+  {
+    Messages messages;
+    report.Check(!vtkOITProcessHook::Install("no such method"), "installed an unknown method");
+    report.Check(messages.Get().find("abuffer") != std::string::npos, "the methods are not told");
+    report.Check(vtkOITProcessHook::GetInstalledMethod().empty(), "an unknown method is kept");
+  }
+  vtkOITProcessHook::Install();
+  Application application(setup);
+  vtkOITRendererHook::Install(application.Scene.Renderer, application.Scene.Pass);
+  application.CheckReached(report, "a pass of the application's own");
+  report.Check(application.GetPass() == application.Scene.Pass, "it was replaced");
+  vtkOITProcessHook::Uninstall();
+  report.Check(application.GetPass() == application.Scene.Pass, "it was taken out");
+  vtkOITRendererHook::Uninstall(application.Scene.Renderer);
+  report.Check(!application.Scene.Renderer->GetUseDepthPeeling(), "peeling is left on");
+}
+}
+
+int TestProcessHook(int argc, char* argv[])
+{
+  return RunTest(argc, argv, Setups::Storages,
+    [](Report& report, const Setup& setup)
+    {
+      Rig::KeepWindow(false); // windows are to be new ones
+      CheckReach(report, setup);
+      CheckChains(report, setup);
+      CheckRespect(report, setup);
+      CheckOthers(report, setup);
+    });
+}

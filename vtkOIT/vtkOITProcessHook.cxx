@@ -1,0 +1,297 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkOITProcessHook.h"
+
+#include "Private/Frame/vtkOITCompatibility.h"
+#include "Private/Hook/vtkOITEnvironment.h"
+#include "Private/Hook/vtkOITHookRecord.h"
+
+#include "vtkCommand.h"
+#include "vtkOITPass.h"
+#include "vtkOITPassFactory.h"
+#include "vtkOITRendererHook.h"
+#include "vtkObjectFactory.h"
+#include "vtkObjectFactoryCollection.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkRenderWindow.h"
+#include "vtkRendererCollection.h"
+#include "vtkSmartPointer.h"
+#include "vtkVersion.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <cstring>
+#include <mutex>
+#include <vector>
+
+namespace
+{
+/// Objects that may be gone: the application owns them, and may remove observers of theirs.
+template <typename ClassType>
+class Reached
+{
+public:
+  void Add(ClassType* object)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Objects.erase(std::remove(this->Objects.begin(), this->Objects.end(), nullptr),
+      this->Objects.end());
+    this->Objects.emplace_back(object);
+  }
+
+  std::vector<vtkWeakPointer<ClassType>> TakeAll()
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    return std::move(this->Objects);
+  }
+
+private:
+  std::mutex Mutex;
+  std::vector<vtkWeakPointer<ClassType>> Objects;
+};
+
+/// Never destroyed: VTK's own objects may come to an end after ours.
+struct State
+{
+  vtkSmartPointer<vtkObjectFactory> Factory;
+  vtkSmartPointer<vtkCommand> WindowObserver;
+  std::string Method; // empty when nothing is installed
+  bool Respect = false;
+  bool Log = false;
+  Reached<vtkRenderer> Renderers;
+  Reached<vtkRenderWindow> Windows;
+};
+State& GetState()
+{
+  static auto* state = new State;
+  return *state;
+}
+
+bool IsMethod(const std::string& name)
+{
+  return vtkSmartPointer<vtkOITPass>::Take(vtkOITPassFactory::CreatePass(name)) != nullptr;
+}
+
+std::string ListMethods()
+{
+  std::string list;
+  for (int i = 0; i < vtkOITPassFactory::GetNumberOfMethods(); ++i)
+  {
+    list += (i > 0 ? ", " : "") + vtkOITPassFactory::GetMethodName(i);
+  }
+  return list;
+}
+}
+
+/// Before a frame of a window.
+class vtkOITProcessHook::WindowObserver : public vtkCommand
+{
+public:
+  static WindowObserver* New() { return new WindowObserver; }
+
+  void Execute(vtkObject* caller, unsigned long, void*) override
+  {
+    vtkOITProcessHook::ReachRenderersOf(static_cast<vtkRenderWindow*>(caller));
+  }
+};
+
+/// Lets the factories behind it create, and hooks what they made.
+class vtkOITProcessHook::Factory : public vtkObjectFactory
+{
+public:
+  static Factory* New();
+  vtkTypeMacro(Factory, vtkObjectFactory);
+
+  const char* GetVTKSourceVersion() VTK_FUTURE_CONST override { return VTK_SOURCE_VERSION; }
+  const char* GetDescription() VTK_FUTURE_CONST override
+  {
+    return "vtkOIT: hooks into every renderer";
+  }
+
+  vtkObject* CreateObject(const char* className) override
+  {
+    const bool isRenderer = std::strcmp(className, "vtkRenderer") == 0;
+    const bool isWindow = std::strcmp(className, "vtkRenderWindow") == 0;
+    static thread_local bool isBehind = false;
+    if (isBehind || (!isRenderer && !isWindow))
+    {
+      return nullptr;
+    }
+    isBehind = true;
+    vtkObject* made = vtkObjectFactory::CreateInstance(className);
+    isBehind = false;
+    if (isRenderer)
+    {
+      vtkOITProcessHook::ReachRenderer(vtkRenderer::SafeDownCast(made), "when it was made");
+    }
+    else
+    {
+      vtkOITProcessHook::ReachWindow(vtkRenderWindow::SafeDownCast(made));
+    }
+    return made;
+  }
+};
+
+vtkStandardNewMacro(vtkOITProcessHook::Factory);
+vtkStandardNewMacro(vtkOITProcessHook);
+
+//------------------------------------------------------------------------------
+bool vtkOITProcessHook::Install(const std::string& methodName)
+{
+  if (!IsMethod(methodName))
+  {
+    vtkGenericWarningMacro("vtkOITProcessHook: there is no method " << methodName
+                                                                    << "; give one of "
+                                                                    << ListMethods());
+    return false;
+  }
+  State& state = GetState();
+  if (state.Method.empty())
+  {
+    // In front of all others: the first factory that creates wins, and RegisterFactory() appends.
+    state.Factory = vtkSmartPointer<Factory>::New();
+    state.WindowObserver = vtkSmartPointer<WindowObserver>::New();
+    vtkObjectFactoryCollection* factories = vtkObjectFactory::GetRegisteredFactories();
+    if (factories->GetNumberOfItems() > 0)
+    {
+      factories->InsertItem(-1, state.Factory);
+    }
+    else
+    {
+      factories->AddItem(state.Factory);
+    }
+  }
+  state.Method = methodName;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITProcessHook::Uninstall()
+{
+  State& state = GetState();
+  if (state.Method.empty())
+  {
+    return false;
+  }
+  state.Method.clear();
+  vtkObjectFactory::GetRegisteredFactories()->RemoveItem(state.Factory);
+  for (const auto& window : state.Windows.TakeAll())
+  {
+    if (window)
+    {
+      window->RemoveObserver(state.WindowObserver);
+    }
+  }
+  for (const auto& renderer : state.Renderers.TakeAll())
+  {
+    if (renderer && vtkOITRendererHook::IsInstalledUnasked(renderer))
+    {
+      vtkOITRendererHook::Uninstall(renderer);
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITProcessHook::GetInstalledMethod()
+{
+  return GetState().Method;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITProcessHook::InstallByEnvironment()
+{
+  if (!CheckEnvironment())
+  {
+    return false;
+  }
+  const vtkOITEnvironment environment = vtkOITEnvironment::Read();
+  SetRespectDepthPeeling(environment.Respect);
+  SetLog(environment.Log);
+  return Install(environment.Method);
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITProcessHook::CheckEnvironment()
+{
+  const vtkOITEnvironment environment = vtkOITEnvironment::Read();
+  std::string error = environment.Error;
+  if (error.empty() && !IsMethod(environment.Method))
+  {
+    error =
+      "VTKOIT_METHOD=" + environment.Method + " is not known; give one of " + ListMethods();
+  }
+  static std::string told;
+  if (!error.empty() && error != told)
+  {
+    told = error;
+    vtkOITHookRecord::Say(error + "; translucency is left to VTK");
+  }
+  return error.empty() && environment.On;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITProcessHook::ReachWindow(vtkRenderWindow* window)
+{
+  State& state = GetState();
+  if (window && !state.Method.empty() && !window->HasObserver(vtkCommand::StartEvent, state.WindowObserver))
+  {
+    window->AddObserver(vtkCommand::StartEvent, state.WindowObserver);
+    state.Windows.Add(window);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOITProcessHook::ReachRenderersOf(vtkRenderWindow* window)
+{
+  vtkRendererCollection* renderers = window->GetRenderers();
+  vtkCollectionSimpleIterator it;
+  renderers->InitTraversal(it);
+  while (vtkRenderer* renderer = renderers->GetNextRenderer(it))
+  {
+    ReachRenderer(renderer, "before a frame of its window");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOITProcessHook::ReachRenderer(vtkRenderer* renderer, const std::string& way)
+{
+  const State& state = GetState();
+  if (!vtkOpenGLRenderer::SafeDownCast(renderer))
+  {
+    return;
+  }
+  if (vtkOITRendererHook::GetInstalledPass(renderer))
+  {
+    vtkOITRendererHook::Observe(renderer);
+    return;
+  }
+  const auto pass = vtkSmartPointer<vtkOITPass>::Take(vtkOITPassFactory::CreatePass(state.Method));
+  vtkOITRendererHook::InstallUnasked(
+    renderer, pass, vtkOITHookRecord::Create(way, state.Method, state.Respect, state.Log));
+  GetState().Renderers.Add(renderer);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITProcessHook::SetRespectDepthPeeling(bool respect)
+{
+  GetState().Respect = respect;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITProcessHook::GetRespectDepthPeeling()
+{
+  return GetState().Respect;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITProcessHook::SetLog(bool log)
+{
+  GetState().Log = log;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITProcessHook::GetLog()
+{
+  return GetState().Log;
+}
