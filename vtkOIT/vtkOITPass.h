@@ -236,7 +236,8 @@ private:
   vtkOITPass(const vtkOITPass&) = delete;
   void operator=(const vtkOITPass&) = delete;
 
-  void Draw(const vtkRenderState* state, std::vector<vtkProp*> props, vtkOITVolumes& volumes);
+  void Draw(
+    const vtkRenderState* state, std::vector<vtkProp*> props, vtkOITVolumes& volumes);
   std::vector<vtkProp*> DrawSorted(
     vtkOITFrame& frame, vtkOITDelegate& delegate, vtkOITVolumes& volumes);
   void DrawBeside(

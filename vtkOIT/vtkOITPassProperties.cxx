@@ -36,10 +36,9 @@ void vtkOITPass::SetVolumetricPass(vtkRenderPass* pass)
 {
   if (vtkOITPass::SafeDownCast(pass))
   {
-    vtkErrorMacro(
-      "A " << pass->GetClassName()
-           << " is refused as VolumetricPass; give the pass that draws the volumes, e.g. "
-              "a vtkVolumetricPass");
+    vtkErrorMacro("A " << pass->GetClassName()
+                       << " is refused as VolumetricPass; give the pass that draws the volumes, e.g. "
+                          "a vtkVolumetricPass");
     return;
   }
   if (this->VolumetricPass != pass)

@@ -101,8 +101,9 @@ vtkOITFailure vtkOITABufferResolver::Resolve(const vtkOITFrame& frame, vtkOITFra
     this->DepthComplexity.GetExpected(store.GetTileGrid());
   store.SetExpected(expected);
   this->PrepareOutput(frame, store);
-  vtkOITFailure failure = sortsAll ? this->DrawLists(frame, store, counters, AllTiles, drawVolumes)
-                                   : this->DrawExpected(frame, store, this->FindDraws(expected));
+  vtkOITFailure failure = sortsAll
+    ? this->DrawLists(frame, store, counters, AllTiles, drawVolumes)
+    : this->DrawExpected(frame, store, this->FindDraws(expected));
   if (!failure && !sortsAll)
   {
     const vtkOITFailure later = this->DrawWhatIsLeft(frame, store, counters);
@@ -298,8 +299,8 @@ vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
   const std::array<int, 2>& tileClass, const std::function<void()>& drawVolumes)
 {
   const auto getComposite = [this] { return this->Shaders.GetComposite(); };
-  const bool hasLists = std::any_of(
-    counters.Tiles.begin(), counters.Tiles.end(), [](std::uint32_t n) { return n > 0; });
+  const bool hasLists =
+    std::any_of(counters.Tiles.begin(), counters.Tiles.end(), [](std::uint32_t n) { return n > 0; });
   vtkOITFailure failure;
   if (hasLists)
   {
@@ -307,8 +308,8 @@ vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
   }
   if (drawVolumes && !failure)
   {
-    failure =
-      this->CompositeStage.Prepare(frame.Window, GetTileVertexShader().c_str(), getComposite);
+    failure = this->CompositeStage.Prepare(
+      frame.Window, GetTileVertexShader().c_str(), getComposite);
     if (!failure)
     {
       drawVolumes();

@@ -58,7 +58,7 @@ void vtkOITABufferVolumes::DrawFailed(
   {
     BeginVolumes(frame, store);
     frame.Volumes->DrawPlainly(frame.Volumes->GetFailed());
-    statistics.NoteWarning("A volume is drawn over the translucent props that it overlaps: " +
-      this->Failure.GetReason());
+    statistics.NoteWarning(
+      "A volume is drawn over the translucent props that it overlaps: " + this->Failure.GetReason());
   }
 }

@@ -23,8 +23,8 @@ public:
   void Draw(const vtkOITFrame& frame, const vtkOITFragmentStore& store, float threshold);
 
   /// Those that were left out, over all, which is not exact.
-  void DrawFailed(
-    const vtkOITFrame& frame, const vtkOITFragmentStore& store, vtkOITStatistics& statistics) const;
+  void DrawFailed(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
+    vtkOITStatistics& statistics) const;
 
 private:
   vtkOITVolumeGather Gather;

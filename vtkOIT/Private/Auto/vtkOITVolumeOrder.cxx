@@ -120,7 +120,8 @@ std::vector<vtkProp*> Sort(
 }
 
 //------------------------------------------------------------------------------
-vtkOITVolumeOrder::vtkOITVolumeOrder(const vtkOITFrame& frame, const std::vector<vtkProp*>& volumes)
+vtkOITVolumeOrder::vtkOITVolumeOrder(
+  const vtkOITFrame& frame, const std::vector<vtkProp*>& volumes)
 {
   if (volumes.empty())
   {
@@ -174,14 +175,12 @@ std::string vtkOITVolumeOrder::FindDoubt(bool isDrawn) const
     return this->Before.empty() && this->Between.empty() && !this->HasUnhooked
       ? ""
       : "A volume is drawn over the translucent props that it overlaps; call "
-        "UseDepthPeelingForVolumesOn() of the renderer, or in a chain of passes "
-        "SetVolumetricPass() "
+        "UseDepthPeelingForVolumesOn() of the renderer, or in a chain of passes SetVolumetricPass() "
         "of this one";
   }
   if (this->HasUnhooked)
   {
-    return "A volume whose mapper has no shader for rays is drawn over the translucent props that "
-           "it "
+    return "A volume whose mapper has no shader for rays is drawn over the translucent props that it "
            "overlaps; use a mapper for GPUs, e.g. vtkGPUVolumeRayCastMapper";
   }
   return this->HasUnknownOrder ? "Volumes overlap each other, so their order is not known; use a "

@@ -47,8 +47,8 @@ bool vtkOITVolumeHook::PreReplaceShaderValues(
   auto* volumeMapper = vtkVolumeMapper::SafeDownCast(mapper);
   if (!volumeMapper || !vtkOITAddMarch(fragmentShader, volumeMapper->GetBlendMode()))
   {
-    this->Failure = vtkOITFailure(
-      "the shader of a volume is not VTK's, or replaces what it begins and ends with");
+    this->Failure =
+      vtkOITFailure("the shader of a volume is not VTK's, or replaces what it begins and ends with");
   }
   return true;
 }
@@ -57,8 +57,9 @@ bool vtkOITVolumeHook::PreReplaceShaderValues(
 bool vtkOITVolumeHook::PostReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
-  auto* window =
-    this->Renderer ? vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetVTKWindow()) : nullptr;
+  auto* window = this->Renderer
+    ? vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetVTKWindow())
+    : nullptr;
   if (!this->Failure && this->Gather && window)
   {
     fragmentShader = this->Gather->Complete(fragmentShader);

@@ -44,8 +44,7 @@ int FindMode(int blendMode)
 bool vtkOITAddMarch(std::string& fragmentShader, int blendMode)
 {
   const bool hasIsosurfaces = blendMode == vtkVolumeMapper::ISOSURFACE_BLEND;
-  std::string declarations =
-    "#define OIT_VOLUME_MODE " + std::to_string(FindMode(blendMode)) + "\n";
+  std::string declarations = "#define OIT_VOLUME_MODE " + std::to_string(FindMode(blendMode)) + "\n";
   declarations += hasIsosurfaces ? "#define OIT_ISOSURFACES\n" : "";
   const std::array<Addition, 3> additions = { {
     { "//VTK::DepthPeeling::Dec", declarations + vtkOITVolumeDeclareFS, "" },
@@ -60,7 +59,8 @@ bool vtkOITAddMarch(std::string& fragmentShader, int blendMode)
   const bool hasAll = main != std::string::npos &&
     fragmentShader.find("//VTK::CallWorker::Impl", main) != std::string::npos &&
     std::all_of(additions.begin(), additions.end(),
-      [&](const Addition& addition) { return fragmentShader.find(addition.Mark) < main; });
+      [&](const Addition& addition)
+      { return fragmentShader.find(addition.Mark) < main; });
   if (!hasAll)
   {
     return false;

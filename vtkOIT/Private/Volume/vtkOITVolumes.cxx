@@ -213,5 +213,6 @@ void vtkOITVolumes::DrawAfter()
 bool vtkOITIsHookedVolume(vtkProp* prop)
 {
   const std::vector<vtkVolume*> volumes = GetVolumes(prop);
-  return vtkVolume::SafeDownCast(prop) && std::all_of(volumes.begin(), volumes.end(), IsDrawnByGPU);
+  return vtkVolume::SafeDownCast(prop) &&
+    std::all_of(volumes.begin(), volumes.end(), IsDrawnByGPU);
 }

@@ -28,8 +28,8 @@ public:
   const std::vector<vtkProp*>& GetAll() const { return this->All; }
 
   /// When they are drawn, each part back to front. Default: all after the translucent props.
-  void SetOrder(
-    std::vector<vtkProp*> before, std::vector<vtkProp*> between, std::vector<vtkProp*> after);
+  void SetOrder(std::vector<vtkProp*> before, std::vector<vtkProp*> between,
+    std::vector<vtkProp*> after);
   const std::vector<vtkProp*>& GetBetween() const { return this->Between; }
   void DrawBefore() { this->DrawPlainly(this->Before); }
   /// And all props that have no volumes and may yet draw something with them.
