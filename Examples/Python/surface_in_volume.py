@@ -42,6 +42,8 @@ for value, a, rgb in ((90, 0.0, (0.2, 0.4, 0.9)), (180, 0.02, (0.5, 0.7, 0.9)), 
     color.AddRGBPoint(value, *rgb)
 volume_mapper = vtkGPUVolumeRayCastMapper()
 volume_mapper.SetInputConnection(field.GetOutputPort())
+volume_mapper.SetAutoAdjustSampleDistances(False)  # a picture, not an animation
+volume_mapper.SetSampleDistance(0.5)
 volume = vtkVolume()
 volume.SetMapper(volume_mapper)
 volume.GetProperty().SetScalarOpacity(opacity)

@@ -9,7 +9,10 @@ from unittest import mock
 
 import numpy
 import Support
+import VolumeMarcher
 import vtkoit
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkoit import colors
 from vtkoit.bench import (
     accuracy,
     catalogue,
@@ -26,6 +29,7 @@ from vtkoit.bench import (
 )
 from vtkoit.bench.store import Store, read_png
 from vtkoit.errors import Error
+from vtkoit.volumes import visible_range
 
 class TestTruth(unittest.TestCase):
     def test_truth_of_a_scene(self):
@@ -200,6 +204,21 @@ class TestVolumes(unittest.TestCase):
         chosen = [s for s in catalogue.all_scenes() if s.name == name]
         return stage.Stage(chosen[0], size)
 
+    def marched(self, here):
+        """The Stage of a family's scene by VolumeMarcher.picture()."""
+        cloud, *layers = here.parts
+        image = cloud.volume.data
+        low, high = visible_range(cloud.volume)
+        table = colors.transfer_function(cloud.colormap, low, high)
+        given = VolumeMarcher.Cloud(
+            vtk_to_numpy(image.GetPointData().GetScalars()).reshape(image.GetDimensions()[::-1]), image.GetOrigin(),
+            image.GetSpacing(), cloud.volume.opacities,
+            [(value, *table.GetColor(value)) for value in numpy.linspace(low, high, 1025)], cloud.volume.length)
+        squares = [VolumeMarcher.Square((0, 0, part.data.GetPoint(0)[2]), (0, 0, 1), part.data.GetPoint(1)[0],
+                                        part.color, part.opacity) for part in layers]
+        camera = VolumeMarcher.Camera((0, 0, 10), (0, 0, 0), (0, 1, 0), True, 0.8, 30.0, 0.1, 100.0)
+        return VolumeMarcher.picture(camera, here.size, given, squares, (*scene.BACKGROUND, 1.0), samples=100)
+
     def test_what_a_family_is_made_of(self):
         for name, family, samples, shade, layers in (("volumes-60-4", "volumes-60", 60, False, 4),
                                                      ("volumes-240-shaded-0", "volumes-240-shaded", 240, True, 0)):
@@ -210,7 +229,7 @@ class TestVolumes(unittest.TestCase):
             for one, factor in ((here, 1), (here.finer(8), 8)):
                 volume, = stage.volumes_of(one.renderer())
                 low, high = volume.GetBounds()[4:]
-                self.assertAlmostEqual((high - low) / volume.GetMapper().GetSampleDistance(), samples * factor)
+                self.assertAlmostEqual((high - low) / volume.GetMapper().GetSampleDistance(), samples * factor, places=3)
                 self.assertEqual(bool(volume.GetProperty().GetShade()), shade)
         self.assertFalse(self.stage("one-sphere").has_volumes())
 
@@ -219,7 +238,9 @@ class TestVolumes(unittest.TestCase):
         here = self.stage("volumes-60-4")
         right = truth.find(here)
         self.assertEqual((right.source, right.layers), ("samples", 4))
-        self.assertLess(right.cross_check, 3.0)
+        self.assertLess(right.cross_check, 6.0)  # VTK rounds each peel to 8 bits
+        expected, certain = self.marched(here)
+        self.assertLess(numpy.abs(255 * (right.color - expected[..., :3]))[certain].max(), 1.2)
         errors = {}
         for name in ("blend", "vtk-dual", "auto", "abuffer"):
             contender = here.contender(name)
@@ -227,7 +248,7 @@ class TestVolumes(unittest.TestCase):
             pixels = vtkoit.picture.grab(contender.window)[..., :3]
             contender.close()
             errors[name] = accuracy.measure(pixels, right.color, right.covered).max
-        self.assertGreater(errors["blend"], 8.0)
+        self.assertGreater(errors["blend"], 6.0)
         for name in ("auto", "abuffer"):
             self.assertLessEqual(errors[name], errors["vtk-dual"] + 1.0, name)
 

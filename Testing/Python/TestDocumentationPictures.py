@@ -62,10 +62,10 @@ PICTURES = [
     Picture("spheres-weighted-sum", "showcase-spheres", "weighted-sum", (300, 260), 1.4),
     Picture("spheres-weighted-blended", "showcase-spheres", "weighted-blended", (300, 260), 1.4),
     Picture("spheres-exact", "showcase-spheres", "auto", (300, 260), 1.4),
-    Picture("volume-head-vtk-default", HEAD, "vtk-default", (400, 330), 1.3),
-    Picture("volume-head-auto", HEAD, "auto", (400, 330), 1.3),
-    Picture("volume-smoke-vtk-default", "smoke", "vtk-default", (400, 360), 1.2),
-    Picture("volume-smoke-auto", "smoke", "auto", (400, 360), 1.2),
+    Picture("volume-head-vtk-default", HEAD, "vtk-default", (300, 240), 1.5),
+    Picture("volume-head-auto", HEAD, "auto", (300, 240), 1.5),
+    Picture("volume-smoke-vtk-default", "smoke", "vtk-default", (300, 270), 1.2),
+    Picture("volume-smoke-auto", "smoke", "auto", (300, 270), 1.2),
 ]
 
 

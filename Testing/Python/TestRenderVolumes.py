@@ -133,6 +133,16 @@ class TestPictures(VolumeTest):
         _, text = self.render("b.vti", "--volume")
         self.assertIn("magnitude of speed", text)
 
+    def test_volumes_that_overlap_are_told(self):
+        """Their order is known to nobody: one line, and the picture."""
+        write_image(self.path("other.vti"), numpy.full((11, 11, 11), 100, numpy.uint8), (1.1, 1.1, 1.1))
+        write_plane(self.path("plane.vtp"), 4)
+        done = run_here(["render", "cube.vti", "other.vti", "plane.vtp", "--volume", *FUNCTION, *ABOVE, "--opacity", "0.5",
+                         "--size", "20x20", "-o", "out.png"], self.folder)
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stderr, r"^vtkoit render: warning: .*overlap.*\n$")
+        self.assertIn("2 volumes, 1 surface,", done.stdout)
+
     def test_shade(self):
         Support.write_volume(self.path("a.vti"))
         unlit, _ = self.render("a.vti", "--volume")
@@ -142,7 +152,8 @@ class TestPictures(VolumeTest):
     def test_compare(self):
         write_plane(self.path("plane.vtp"), 4)
         done = run_here(["compare", "cube.vti", "plane.vtp", "--volume", *FUNCTION, "--camera", "z", "--up", "y",
-                         "--parallel", "--opacity", "0.6", "--size", "24x20", "--methods", "vtk-dual", "auto"], self.folder)
+                         "--parallel", "--color", "red", "--opacity", "0.6", "--size", "24x20",
+                         "--methods", "vtk-dual", "auto"], self.folder)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertRegex(done.stdout, r"(?m)^cube.vti: 1 volume, 1 surface; .* truth: the picture of abuffer with 8 times the "
                                       r"samples, vtk-dual with as many differs by at most [\d.]+ steps$")

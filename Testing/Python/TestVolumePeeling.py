@@ -33,7 +33,7 @@ from vtkoit import picture
 from vtkoit.windows import make_window
 
 SIZE = (90, 80)
-DISTANCE, FINE = 0.4, 0.025  # of samples, in voxels
+DISTANCE, FINE = 0.4, 0.05  # of samples, in voxels
 WAYS = ("auto", "abuffer")
 SIDE = 33  # samples of the vase in each direction
 
@@ -207,18 +207,28 @@ def draw(scenes, way, size=SIZE):
     return pixels, passes
 
 
+_fine = {}
+
+
+def fine_picture(make):
+    """What VTK's dual depth peeling draws of a scene with fine samples; drawn once."""
+    if make not in _fine:
+        _fine[make], _ = draw(make(FINE), VTK_DUAL)
+    return _fine[make]
+
+
 class TestScenes(unittest.TestCase):
     def test_not_further_off_than_vtk(self):
         for make in SCENES:
-            fine, _ = draw(make(FINE), VTK_DUAL)
+            fine = fine_picture(make)
             theirs = numpy.abs(draw(make(DISTANCE), VTK_DUAL)[0] - fine)
             self.assertGreater(fine.std(), 5.0, make.__name__)
             for way in WAYS:
                 with self.subTest("%s, %s" % (make.__name__, way)):
                     pixels, passes = draw(make(DISTANCE), way)
                     ours = numpy.abs(pixels - fine)
-                    for one in passes:
-                        self.assertTrue(one.GetExact())
+                    for one in passes:  # up to the default TransmittanceThreshold, half a step
+                        self.assertLessEqual(one.GetErrorBound(), 1 / 512)
                     self.assertLessEqual(ours.max(), theirs.max() + 1.0)
                     # VTK's own picture with fine samples is rounded at each layer, in steps of 8 bits.
                     self.assertLessEqual((ours ** 2).mean() ** 0.5, (theirs ** 2).mean() ** 0.5 + 0.1)
@@ -226,26 +236,31 @@ class TestScenes(unittest.TestCase):
     def test_fine_samples_agree(self):
         """Where samples are fine, VTK's way and ours are the same."""
         for make in SCENES:
-            fine, _ = draw(make(FINE), VTK_DUAL)
+            fine = fine_picture(make)
             pixels, _ = draw(make(FINE), "auto")
             self.assertLessEqual(numpy.abs(pixels - fine).mean(), 0.3, make.__name__)
 
 
 class TestBlendModes(unittest.TestCase):
-    """A projection has no order: it is one layer, somewhere among the surfaces of a pixel."""
+    """A projection has no order along a ray: it is one layer, where the ray enters the volume."""
 
     MODES = ("MaximumIntensity", "MinimumIntensity", "AverageIntensity", "Additive")
-    PLACES = {"in front": 60.0, "inside": 16.0, "behind": -40.0}  # of the spheres, along the line of sight
+    SHIFTS = {"in front": 44.0, "inside": 0.0, "behind": -56.0}  # of the spheres, towards the camera
 
-    def make(self, mode, shift, surfaces=True, volume=True):
+    def make(self, mode, shift, surfaces=True):
+        """A Scene seen along the z axis, in parallel projection."""
         scene = Scene(DISTANCE, 0.4)
         scene.volume.GetProperty().ShadeOff()
+        if mode == "MinimumIntensity":  # the smallest value is that of the air
+            opacities = vtkPiecewiseFunction()
+            opacities.AddPoint(0, 0.4)
+            opacities.AddPoint(130, 0.1)
+            scene.volume.GetProperty().SetScalarOpacity(opacities)
         getattr(scene.mapper, "SetBlendModeTo" + mode)()
         for actor in scene.spheres:
             actor.SetPosition(0, 0, shift)
             actor.GetProperty().SetLighting(False)
             actor.SetVisibility(surfaces)
-        scene.volume.SetVisibility(volume)
         camera = scene.renderer.GetActiveCamera()
         camera.SetPosition(16, 16, 150)
         camera.SetFocalPoint(16, 16, 16)
@@ -254,31 +269,23 @@ class TestBlendModes(unittest.TestCase):
         camera.SetClippingRange(1, 300)
         return scene
 
-    def test_one_layer_at_one_place(self):
-        for mode, (name, shift) in itertools.product(self.MODES, self.PLACES.items()):
+    def test_one_layer_where_the_ray_enters(self):
+        for mode, (name, shift) in itertools.product(self.MODES, self.SHIFTS.items()):
             with self.subTest("%s, %s" % (mode, name)):
-                shift -= 16.0
-                alone = self.alone(self.make(mode, shift, surfaces=False))
-                window_pixels, (instance,) = draw([self.make(mode, shift)], "auto")
-                layers = self.layers(shift)
-                self.assertGreater(alone[1].max(), 0.1)
-                candidates = []
-                for place in range(len(layers) + 1):
-                    result = numpy.zeros((*SIZE[::-1], 3))
-                    left = numpy.ones((*SIZE[::-1], 1))
-                    for color, alpha in layers[:place] + [alone] + layers[place:]:
-                        result += left * color
-                        left = left * (1.0 - alpha)
-                    candidates.append(numpy.abs(window_pixels - 255.0 * result).max(axis=2))
-                best = numpy.min(candidates, axis=0)
-                # Outlines of the spheres are where triangles are; the hits here are those of spheres.
-                self.assertLessEqual(numpy.percentile(best, 90), 1.5)
-                if name != "inside" and instance.GetExact():
-                    place = 0 if name == "behind" else len(layers)
-                    self.assertLessEqual(numpy.percentile(candidates[place], 90), 1.5)
+                projection = self.projection(self.make(mode, shift, surfaces=False))
+                self.assertGreater(projection[1].max(), 0.1)
+                layers = sorted_layers(self.faces(shift) + [(numpy.full(SIZE[::-1], SIDE - 1.0), *projection)])
+                expected, left = numpy.zeros((*SIZE[::-1], 3)), 1.0
+                for color, alpha in layers:
+                    expected = expected + left * color
+                    left = left * (1.0 - alpha)
+                pixels, _ = draw([self.make(mode, shift)], "auto")
+                off = numpy.abs(pixels - 255.0 * expected).max(axis=2)
+                # Triangles have other outlines and heights than spheres, in few pixels.
+                self.assertLessEqual(numpy.percentile(off, 90), 1.5)
 
     @staticmethod
-    def alone(scene):
+    def projection(scene):
         """(premultiplied colour, opacity), arrays in [0, 1], of what a volume alone shows."""
         scene.renderer.SetBackgroundAlpha(0.0)
         window = make_window(scene.renderer, SIZE)
@@ -289,21 +296,27 @@ class TestBlendModes(unittest.TestCase):
         return pixels[..., :3], pixels[..., 3:]
 
     @staticmethod
-    def layers(shift):
-        """The four faces of the spheres, front to back, list of (premultiplied colour, opacity)."""
+    def faces(shift):
+        """The four faces of the spheres, list of (height, premultiplied colour, opacity), arrays."""
         row, column = numpy.mgrid[0:SIZE[1], 0:SIZE[0]]
         y = 16 + 20 * (1 - 2 * (row + 0.5) / SIZE[1])
         x = 16 + 20 * (2 * (column + 0.5) / SIZE[0] - 1) * SIZE[0] / SIZE[1]
-        hits = []
+        result = []
         for center, color in ((SIDE / 2, (0.5, 0.9, 0.7)), (SIDE / 2 + 5, (0.9, 0.4, 0.1))):
             square = (SIDE / 3) ** 2 - (x - center) ** 2 - (y - center) ** 2
+            alpha = numpy.where(square > 0, 0.3, 0.0)[..., None]
             for sign in (1, -1):
-                height = numpy.where(square > 0, center + shift + sign * numpy.sqrt(numpy.maximum(square, 0)), -1e9)
-                alpha = numpy.where(square > 0, 0.3, 0.0)[..., None]
-                hits.append((height, alpha * numpy.array(color), alpha))
-        order = numpy.argsort([-height for height, _, _ in hits], axis=0)
-        return [tuple(numpy.take_along_axis(numpy.array([hit[part] for hit in hits]), order[k][None, ..., None], axis=0)[0]
-                      for part in (1, 2)) for k in range(4)]
+                height = center + shift + sign * numpy.sqrt(numpy.maximum(square, 0))
+                result.append((height, alpha * numpy.array(color), alpha))
+        return result
+
+
+def sorted_layers(layers):
+    """Layers, list of (height, colour, opacity), arrays, as a list of (colour, opacity), the highest first at each pixel."""
+    order = numpy.argsort([-height for height, _, _ in layers], axis=0)[..., None]
+    colors, alphas = (numpy.take_along_axis(numpy.array([layer[part] for layer in layers]), order, axis=0)
+                      for part in (1, 2))
+    return list(zip(colors, alphas))
 
 
 if __name__ == "__main__":

@@ -93,7 +93,7 @@ class VolumeTest(unittest.TestCase):
             window.close()
 
     def draw(self, way, camera, cloud, surfaces, distance=DISTANCE, background=(0, 0, 0, 1), opaque=()):
-        """The picture, height x width x 4, in float. A way of vtkOIT's must say that it is exact."""
+        """The picture, height x width x 4, in float. A way of vtkOIT's must say that it is right."""
         if way not in self.windows:
             self.windows[way] = VolumeScene.Window(way, SIZE)
         window = self.windows[way]
@@ -101,8 +101,8 @@ class VolumeTest(unittest.TestCase):
         props += [VolumeScene.actor_of(surface) for surface in surfaces]
         props += [VolumeScene.actor_of(surface, opaque=True) for surface in opaque]
         pixels = window.draw(camera, props, background[:3], background[3])
-        if window.instance is not None:
-            self.assertTrue(window.instance.GetExact(), way)
+        if window.instance is not None:  # up to the default TransmittanceThreshold, half a step
+            self.assertLessEqual(window.instance.GetErrorBound(), 1 / 512, way)
         return pixels
 
     def check(self, way, camera, cloud, surfaces, distance=DISTANCE, background=(0, 0, 0, 1)):
@@ -164,7 +164,7 @@ class TestSlabs(VolumeTest):
         for height in (0.8, 0.2, 0.0, -0.3):
             right = right_picture(PARALLEL, SLAB, planes([height]))
             off = error(self.draw(VolumeScene.VTK_DEFAULT, PARALLEL, SLAB, planes([height])), right)
-            self.assertGreater(off, 15.0, height)
+            self.assertGreater(off, 10.0, height)
 
 
 class TestField(VolumeTest):

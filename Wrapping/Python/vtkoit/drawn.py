@@ -42,9 +42,10 @@ class Drawn:
         return missing or _CONSEQUENCE.sub("", told).rstrip(".")
 
     def warning(self, window):
-        """One line, str, that says why another method drew and which; empty when none did."""
+        """One line, str, that says why another method drew and which, or what the pass says of a frame that is
+        not exact; empty for neither."""
         reason = self.why_other(window)
         if not reason:
-            return ""
+            return "" if self._instance.GetExact() or not self._warnings else self._warnings[-1].rstrip(".")
         return "the method %s does not run here (%s); drawn by %s%s" % (
             self._method, reason, self.by(), ", which is not exact" if self.unsorted() else "")

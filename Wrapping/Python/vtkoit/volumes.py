@@ -27,7 +27,8 @@ Request.__doc__ = """What to make of image data: array (str, its name, or None f
 of (value, opacity), or None for a choice by the histogram), length (float, or None for a hundredth of the
 diagonal), shade (bool)."""
 
-SAMPLES_PER_VOXEL = 2.0  # along a ray, of the smallest spacing
+# Along a ray, of the smallest spacing: a hair more than 2, or rays along an axis lose their last sample to rounding.
+SAMPLES_PER_VOXEL = 2.0002
 
 # Of the middle one of Otsu's three classes, and of the largest values: half a diagonal through the former lets a
 # third of the light through, a tenth of it through the latter none.

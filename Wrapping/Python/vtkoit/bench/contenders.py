@@ -94,7 +94,7 @@ class Contender:
         self.steps = vtkRenderStepsPass()
         self.steps.SetTranslucentPass(translucent)
         # What can draws volumes between the layers, otherwise they are drawn over them.
-        if hasattr(translucent, "SetVolumetricPass"):
+        if renderer.GetVolumes().GetNumberOfItems() and hasattr(translucent, "SetVolumetricPass"):
             translucent.SetVolumetricPass(vtkVolumetricPass())
             self.steps.SetVolumetricPass(None)
         self.renderer.SetPass(self.steps)
