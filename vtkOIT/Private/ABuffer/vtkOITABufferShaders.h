@@ -27,7 +27,7 @@ struct vtkOITABufferShaders
   bool LastOnTop = false;
   bool Interlock = false; // in Gather, for the order of drawing
   bool HasLight = false;  // some props add light
-  bool Volumes = false; // rays of volumes walk the lists
+  bool Volumes = false;   // rays of volumes walk the lists
 
   bool operator==(const vtkOITABufferShaders& other) const;
 

@@ -113,8 +113,7 @@ void vtkOITSorters::Draw(const vtkOITFrame& frame, const vtkOITSettings& setting
   std::vector<vtkOITRectangle> undrawn{ frame.Rectangle };
   std::string reason; // why the best one does not draw
   bool isExpected = true;
-  const bool canMix =
-    frame.Volumes && this->HasOne(&vtkOITEngine::MixesVolumes, frame, settings);
+  const bool canMix = frame.Volumes && this->HasOne(&vtkOITEngine::MixesVolumes, frame, settings);
   for (int which = 0; which < Count && !undrawn.empty(); ++which)
   {
     vtkOITEngine* engine = this->Get(which);
