@@ -11,6 +11,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkProp.h"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -26,10 +27,11 @@ vtkOITHookTrial::vtkOITHookTrial()
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkProp*> vtkOITHookTrial::TakeUnhooked(
-  vtkOITFrame& frame, vtkOITGeometry& geometry, const std::function<bool()>& sortsLight)
+std::vector<vtkProp*> vtkOITHookTrial::TakeUnsorted(vtkOITFrame& frame,
+  vtkOITGeometry& geometry, const std::vector<vtkProp*>& denying,
+  const std::function<bool()>& sortsLight)
 {
-  std::vector<vtkProp*> unhooked;
+  std::vector<vtkProp*> unhooked = FindDrawn(frame, geometry, denying);
   std::vector<vtkProp*> hooked;
   for (vtkProp* prop : frame.Props)
   {
@@ -59,6 +61,21 @@ std::vector<vtkProp*> vtkOITHookTrial::TakeUnhooked(
     it = it->second.Prop ? std::next(it) : this->Entries.erase(it);
   }
   return unhooked;
+}
+
+//------------------------------------------------------------------------------
+// They draw into no pixel.
+std::vector<vtkProp*> vtkOITHookTrial::FindDrawn(
+  const vtkOITFrame& frame, vtkOITGeometry& geometry, const std::vector<vtkProp*>& props)
+{
+  std::vector<vtkProp*> drawn;
+  if (!props.empty())
+  {
+    frame.BeginGeometry({ 0, 0, 0, 0 });
+    std::copy_if(props.begin(), props.end(), std::back_inserter(drawn),
+      [&geometry](vtkProp* prop) { return geometry.TryUnsorted(prop); });
+  }
+  return drawn;
 }
 
 //------------------------------------------------------------------------------
