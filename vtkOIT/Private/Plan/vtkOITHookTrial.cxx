@@ -48,12 +48,14 @@ std::vector<vtkProp*> vtkOITHookTrial::TakeUnsorted(vtkOITFrame& frame,
     {
       entry = { prop, Found::Nothing, 0 };
     }
-    if (entry.Result == Found::Nothing || (entry.Result == Found::Hooked && entry.Time != time))
+    if (entry.Result == Found::Nothing || entry.Result == Found::Unknown ||
+      (entry.Result == Found::Hooked && entry.Time != time))
     {
       entry.Result = this->Try(frame, geometry, prop);
       entry.Time = time;
     }
-    (entry.Result == Found::Unhooked ? unhooked : hooked).push_back(prop);
+    const bool asks = entry.Result == Found::Nothing || entry.Result == Found::Hooked;
+    (asks ? hooked : unhooked).push_back(prop);
   }
   frame.Props = std::move(hooked);
   for (auto it = this->Entries.begin(); it != this->Entries.end();)
@@ -79,7 +81,6 @@ std::vector<vtkProp*> vtkOITHookTrial::FindDrawn(
 }
 
 //------------------------------------------------------------------------------
-// Where no trial is possible, the prop is taken for one that asks.
 vtkOITHookTrial::Found vtkOITHookTrial::Try(
   const vtkOITFrame& frame, vtkOITGeometry& geometry, vtkProp* prop)
 {
@@ -87,19 +88,20 @@ vtkOITHookTrial::Found vtkOITHookTrial::Try(
   if (this->Picture.Reserve(frame.Window, Side, Side, 1, GL_RGBA16F) ||
     this->Framebuffer.Bind(frame.Window, { this->Picture.GetLayer(0) }))
   {
-    return Found::Nothing;
+    return Found::Unknown;
   }
   frame.BeginStorage({ 0, 0, Side, Side }, { 0, 0, 0, 0 });
   state->vtkglViewport(0, 0, Side, Side);
   state->vtkglDisable(GL_DEPTH_TEST);
-  this->Query.Begin(frame.Window, 0);
+  this->Query.StartRow(frame.Window);
+  this->Query.Begin(0);
   const int draws = geometry.Try(prop, this->Gather);
   this->Query.End();
-  if (this->Query.GetResult(0) > 0)
-  {
-    return Found::Unhooked;
-  }
-  return draws > 0 ? Found::Hooked : Found::Nothing;
+  const std::int64_t samples = this->Query.GetResult(0);
+  return samples < 0 ? Found::Unknown
+    : samples > 0    ? Found::Unhooked
+    : draws > 0      ? Found::Hooked
+                     : Found::Nothing;
 }
 
 //------------------------------------------------------------------------------

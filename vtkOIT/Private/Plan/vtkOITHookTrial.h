@@ -49,7 +49,8 @@ private:
   {
     Nothing, // it is drawn nowhere in this view
     Hooked,
-    Unhooked
+    Unhooked,
+    Unknown // no trial was possible; taken for unhooked, and tried again
   };
   struct Entry
   {
