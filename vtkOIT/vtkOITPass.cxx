@@ -95,8 +95,8 @@ void vtkOITPass::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "MaximumBufferSize: " << this->MaximumBufferSize << "\n"
      << indent << "FragmentPrecision: " << (this->FragmentPrecision == HALF ? "half" : "float")
      << "\n"
-     << indent << "CoincidentLayers: "
-     << (this->CoincidentLayers == MEAN ? "mean" : "last on top") << "\n"
+     << indent << "CoincidentLayers: " << (this->CoincidentLayers == MEAN ? "mean" : "last on top")
+     << "\n"
      << indent << "AlgorithmName: " << this->GetAlgorithmName() << "\n"
      << indent << "NumberOfGeometryPasses: " << this->GetNumberOfGeometryPasses() << "\n"
      << indent << "NumberOfFragments: " << this->GetNumberOfFragments() << "\n"

@@ -119,7 +119,9 @@ public:
     {
       counts += std::string(" ") + FaultInjector::GetName(FaultInjector::Kind(kind)) + " " +
         std::to_string(calls[kind]);
-      for (int number = 1; number <= calls[kind]; ++number)
+      // How often results are asked for depends on the pace of the driver: the first ones stand for all.
+      const int last = kind == FaultInjector::Query ? std::min(calls[kind], 8) : calls[kind];
+      for (int number = 1; number <= last; ++number)
       {
         for (const bool fromThenOn : { false, true })
         {
@@ -200,8 +202,7 @@ private:
   {
     const Image image = rig.RenderWindow();
     const bool isRight =
-      IsClose(
-      image, MakeTruth(this->TheScene, rig.GetBackground(), rig.GetWidth()), this->Allowed);
+      IsClose(image, MakeTruth(this->TheScene, rig.GetBackground(), rig.GetWidth()), this->Allowed);
     // A preview is right as it is without a fault; another method than its own is right, too.
     const Image& usual = this->Usual;
     const bool isUsual = !usual.Pixels.empty() &&

@@ -100,7 +100,8 @@ void CheckQueryOfApplication(Report& report, const Setup& setup)
 void CheckImage(Report& report, const Setup& setup)
 {
   const std::vector<Layer> layers{ { 0.5f, { 0.9f, 0.2f, 0.1f, 0.4f } },
-    { 0.5f + 1.0f / (1 << 24), { 0.2f, 0.8f, 0.4f, 0.6f } }, { 0.75f, { 0.3f, 0.3f, 0.9f, 0.5f } } };
+    { 0.5f + 1.0f / (1 << 24), { 0.2f, 0.8f, 0.4f, 0.6f } },
+    { 0.75f, { 0.3f, 0.3f, 0.9f, 0.5f } } };
   Rig rig(setup, 16, 12);
   rig.AddQuad(layers[0]);
   rig.AddQuad(layers[2]);

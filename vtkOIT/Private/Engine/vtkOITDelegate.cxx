@@ -51,8 +51,8 @@ vtkOITFailure vtkOITDelegate::DrawHooked(const std::vector<vtkProp*>& props, vtk
   std::vector<vtkProp*> hooked = props;
   const std::vector<vtkProp*> parts = vtkOITFindParts(props);
   hooked.insert(hooked.end(), parts.begin(), parts.end());
-  return gather.GetHook()->RenderBy(
-    this->Pass, vtkOITPartState(this->State, hooked).Get(), vtkOITPartState(this->State, props).Get());
+  return gather.GetHook()->RenderBy(this->Pass, vtkOITPartState(this->State, hooked).Get(),
+    vtkOITPartState(this->State, props).Get());
 }
 
 //------------------------------------------------------------------------------

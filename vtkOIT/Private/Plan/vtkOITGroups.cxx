@@ -73,8 +73,8 @@ std::vector<vtkOITGroup> vtkOITFindGroups(
   for (std::size_t i = 0; i < frame.Props.size(); ++i)
   {
     const double depth = FindDepth(frame.Props[i], projection, BehindAll);
-    const auto behind = std::count_if(placed.begin(), placed.end(),
-      [depth](const PlacedProp& prop) { return prop.Depth > depth; });
+    const auto behind = std::count_if(
+      placed.begin(), placed.end(), [depth](const PlacedProp& prop) { return prop.Depth > depth; });
     vtkOITFrame& part = groups[behind].Frame;
     part.Props.push_back(frame.Props[i]);
     part.Extents.push_back(frame.Extents[i]);

@@ -27,9 +27,8 @@ vtkOITHookTrial::vtkOITHookTrial()
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkProp*> vtkOITHookTrial::TakeUnsorted(vtkOITFrame& frame,
-  vtkOITGeometry& geometry, const std::vector<vtkProp*>& denying,
-  const std::function<bool()>& sortsLight)
+std::vector<vtkProp*> vtkOITHookTrial::TakeUnsorted(vtkOITFrame& frame, vtkOITGeometry& geometry,
+  const std::vector<vtkProp*>& denying, const std::function<bool()>& sortsLight)
 {
   std::vector<vtkProp*> unhooked = FindDrawn(frame, geometry, denying);
   std::vector<vtkProp*> hooked;
