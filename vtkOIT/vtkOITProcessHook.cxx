@@ -34,8 +34,8 @@ public:
   void Add(ClassType* object)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Objects.erase(std::remove(this->Objects.begin(), this->Objects.end(), nullptr),
-      this->Objects.end());
+    this->Objects.erase(
+      std::remove(this->Objects.begin(), this->Objects.end(), nullptr), this->Objects.end());
     this->Objects.emplace_back(object);
   }
 
@@ -140,9 +140,8 @@ bool vtkOITProcessHook::Install(const std::string& methodName)
 {
   if (!IsMethod(methodName))
   {
-    vtkGenericWarningMacro("vtkOITProcessHook: there is no method " << methodName
-                                                                    << "; give one of "
-                                                                    << ListMethods());
+    vtkGenericWarningMacro(
+      "vtkOITProcessHook: there is no method " << methodName << "; give one of " << ListMethods());
     return false;
   }
   State& state = GetState();
@@ -218,8 +217,7 @@ bool vtkOITProcessHook::CheckEnvironment()
   std::string error = environment.Error;
   if (error.empty() && !IsMethod(environment.Method))
   {
-    error =
-      "VTKOIT_METHOD=" + environment.Method + " is not known; give one of " + ListMethods();
+    error = "VTKOIT_METHOD=" + environment.Method + " is not known; give one of " + ListMethods();
   }
   static std::string told;
   if (!error.empty() && error != told)
@@ -234,7 +232,8 @@ bool vtkOITProcessHook::CheckEnvironment()
 void vtkOITProcessHook::ReachWindow(vtkRenderWindow* window)
 {
   State& state = GetState();
-  if (window && !state.Method.empty() && !window->HasObserver(vtkCommand::StartEvent, state.WindowObserver))
+  if (window && !state.Method.empty() &&
+    !window->HasObserver(vtkCommand::StartEvent, state.WindowObserver))
   {
     window->AddObserver(vtkCommand::StartEvent, state.WindowObserver);
     state.Windows.Add(window);

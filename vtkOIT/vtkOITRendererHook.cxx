@@ -205,8 +205,7 @@ void Adapter::Observe()
 {
   if (!this->Renderer->GetCommand(this->Observers[0]))
   {
-    this->Observers[0] =
-      this->Renderer->AddObserver(vtkCommand::StartEvent, this, &Adapter::Begin);
+    this->Observers[0] = this->Renderer->AddObserver(vtkCommand::StartEvent, this, &Adapter::Begin);
   }
   if (!this->Renderer->GetCommand(this->Observers[1]))
   {
