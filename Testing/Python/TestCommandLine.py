@@ -14,7 +14,7 @@ import vtkoit
 
 class TestHelp(unittest.TestCase):
     def test_help_everywhere(self):
-        for arguments in ([], ["render"], ["compare"], ["info"], ["showcase"], ["bench"]):
+        for arguments in ([], ["render"], ["compare"], ["info"], ["run"], ["showcase"], ["bench"]):
             for option in ("-h", "--help"):
                 done = Support.run(*arguments, option)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))

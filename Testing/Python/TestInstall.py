@@ -67,7 +67,7 @@ class TestInstall(unittest.TestCase):
 
     def test_something_else_than_a_renderer(self):
         for wrong in (None, 3, "renderer", vtkObject()):
-            with self.assertRaisesRegex(TypeError, "^a vtkRenderer is needed"):
+            with self.assertRaisesRegex(TypeError, "^a vtkRenderer, a vtkRenderWindow, a plotter or a render view is needed"):
                 vtkoit.install(wrong)
             with self.assertRaises(TypeError):
                 vtkoit.uninstall(wrong)
