@@ -216,8 +216,10 @@ class TestPictures(PyVistaTest):
     def isosurfaces(plotter):
         import pyvista
 
-        plotter.add_mesh(pyvista.Wavelet().contour([90, 120, 150, 180, 210, 240]), cmap="viridis", opacity=0.35,
-                         smooth_shading=True, show_scalar_bar=False)
+        grid = pyvista.ImageData(dimensions=(40, 40, 40), spacing=(0.1, 0.1, 0.1), origin=(-2, -2, -2))
+        grid["density"] = sum(numpy.exp(-2 * ((grid.points - center) ** 2).sum(axis=1))
+                              for center in ((-0.6, 0, 0), (0.6, 0.3, 0.2), (0, -0.4, 0.7)))
+        plotter.add_mesh(grid.contour([0.15, 0.4, 0.65, 0.9, 1.15]), cmap="viridis", opacity=0.4, show_scalar_bar=False)
 
     @staticmethod
     def spheres(plotter):
