@@ -130,7 +130,7 @@ class TestComponent(PyVistaTest):
         self.assertEqual((done.returncode, done.stdout), (0, "vtkoit.pyvista\n"), done.stderr)
 
     def test_subplots_and_report(self):
-        plotter = self.plotter(shape=(2, 2))
+        plotter = self.plotter(shape=(2, 2), border=False)
         for i in range(4):
             plotter.subplot(i // 2, i % 2)
             self.add_squares(plotter)
@@ -140,7 +140,8 @@ class TestComponent(PyVistaTest):
         self.assertEqual(plotter.oit.report(), [])
         plotter.oit.enable("abuffer")
         picture = self.picture(plotter)
-        for y, x in ((25, 25), (25, 75), (75, 25), (75, 75)):
+        # PyVista 0.48 shows the first of these subplots white, without vtkOIT, too.
+        for y, x in ((25, 75), (75, 25), (75, 75)):
             numpy.testing.assert_allclose(picture[y, x], RIGHT, atol=2)
         report = plotter.oit.report()
         self.assertEqual([frame.subplot for frame in report], [0, 1, 2, 3])
@@ -205,7 +206,9 @@ class TestExamples(PyVistaTest):
         for name in sorted(os.listdir(EXAMPLES)):
             with self.subTest(name):
                 done = Support.run(os.path.join(EXAMPLES, name), self.path("picture.png"), name="vtkoit-python")
-                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                # VTK 9.6 itself warns of draw buffers in SSAO.
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertNotRegex(done.stderr, "ERR|vtkOIT")
                 self.assertGreater(Support.read_picture(self.path("picture.png")).std(), 10)
 
 
