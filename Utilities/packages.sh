@@ -23,6 +23,12 @@ packages='
   libegl1
   libgl1-mesa-dri
   glslang-tools?
+  help2man
+  python3-shtab
+  mypy
+  chromium
+  chromium-driver
+  python3-selenium
 '
 
 case ${1:-} in
