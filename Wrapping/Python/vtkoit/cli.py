@@ -117,6 +117,10 @@ def _run(options):
             from . import compare
 
             compare.run(options, progress)
+        elif options.command == "conform":
+            from .conform import run
+
+            run.run(options, progress)
         elif options.command == "bench":
             from .bench import run
 
