@@ -10,6 +10,7 @@ import unittest
 
 import Support
 import vtkoit
+from vtkmodules.vtkCommonCore import vtkVersion
 
 
 class TestHelp(unittest.TestCase):
@@ -22,7 +23,9 @@ class TestHelp(unittest.TestCase):
                 self.assertIn("example", done.stdout)
 
     def test_version(self):
-        self.assertEqual(Support.run("--version").stdout, "vtkOIT %s\n" % vtkoit.__version__)
+        out = Support.run("--version").stdout
+        self.assertRegex(out, r"^vtkOIT %s\nbuilt for VTK %s, Python 3\.\d+; windows: .*(OSMesa|EGL).*\n$" % (
+            vtkoit.__version__, vtkVersion.GetVTKVersion()))
 
 
 class TestInfo(unittest.TestCase):
