@@ -17,6 +17,7 @@
 #include "Private/Plan/vtkOITPlanRunner.h"
 #include "Private/Volume/vtkOITVolumes.h"
 
+#include "vtkActor2D.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
@@ -244,9 +245,12 @@ void vtkOITPass::Internals::DrawDenying(
   vtkOITPass* pass, const vtkRenderState* state, const std::vector<vtkProp*>& props)
 {
   vtkOITDelegate delegate(pass->TranslucentPass, state);
-  if (delegate.DrawUnsorted(props))
+  // A vtkActor2D says that it has drawn, and most draw nothing before the overlay.
+  const auto drawn = std::find_if(
+    props.begin(), props.end(), [](vtkProp* prop) { return !vtkActor2D::SafeDownCast(prop); });
+  if (delegate.DrawUnsorted(props) && drawn != props.end())
   {
-    this->Statistics.NoteUnsorted(props.front()->GetClassName());
+    this->Statistics.NoteUnsorted((*drawn)->GetClassName());
     this->Statistics.NumberOfGeometryPasses = 1;
   }
   pass->NumberOfRenderedProps = delegate.GetNumberOfRenderedProps();

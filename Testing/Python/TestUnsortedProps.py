@@ -9,9 +9,10 @@ import unittest
 import numpy
 import Support
 import vtkoit
-from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkRegularPolygonSource
 from vtkmodules.vtkInteractionWidgets import vtkBoxRepresentation, vtkSphereRepresentation
 from vtkmodules.vtkRenderingAnnotation import vtkAnnotatedCubeActor
+from vtkmodules.vtkRenderingCore import vtkActor2D, vtkPolyDataMapper2D
 from vtkoit.errors import capture
 from vtkoit.picture import grab
 from vtkoit.windows import make_window
@@ -102,6 +103,33 @@ class TestUnsortedProps(unittest.TestCase):
                 for from_behind in (False, True):
                     with self.subTest(prop=make_prop.__name__, method=method, from_behind=from_behind):
                         self.draw(make_prop, layers, is_sorted, method, from_behind)
+
+    def test_what_lies_over_the_picture_is_no_layer(self):
+        """A vtkActor2D draws with the overlays, and says otherwise."""
+        for method in METHODS:
+            with self.subTest(method=method):
+                renderer = make_scene(cube, False)
+                window = make_window(renderer, (SIZE, SIZE), 0)
+                chosen = vtkoit.install(renderer, method)
+                window.Render()
+                without = grab(window)
+                frame = vtkRegularPolygonSource()
+                frame.SetCenter(8.0, 8.0, 0.0)
+                frame.SetRadius(4.0)
+                mapper = vtkPolyDataMapper2D()
+                mapper.SetInputConnection(frame.GetOutputPort())
+                over = vtkActor2D()
+                over.SetMapper(mapper)
+                renderer.AddViewProp(over)
+                with capture() as captured:
+                    for _ in range(2):
+                        window.Render()
+                        self.assertTrue(chosen.GetExact())
+                self.assertEqual(captured.lines(), [])
+                picture = grab(window)
+                self.assertEqual(picture[8, 8].tolist()[:3], [255, 255, 255])
+                self.assertEqual(picture[16:, 16:].tolist(), without[16:, 16:].tolist())
+                window.Finalize()
 
     def draw(self, make_prop, layers, is_sorted, method, from_behind):
         renderer = make_scene(make_prop, from_behind)

@@ -8,6 +8,7 @@
 
 #include "vtkOITHookTrialFS.h"
 
+#include "vtkActor2D.h"
 #include "vtkOpenGLState.h"
 #include "vtkProp.h"
 
@@ -30,7 +31,15 @@ vtkOITHookTrial::vtkOITHookTrial()
 std::vector<vtkProp*> vtkOITHookTrial::TakeUnsorted(vtkOITFrame& frame, vtkOITGeometry& geometry,
   const std::vector<vtkProp*>& denying, const std::function<bool()>& sortsLight)
 {
-  std::vector<vtkProp*> unhooked = FindDrawn(frame, geometry, denying);
+  std::vector<vtkProp*> unhooked;
+  for (vtkProp* prop : FindDrawn(frame, geometry, denying))
+  {
+    // A vtkActor2D says that it has drawn, and most draw nothing before the overlay.
+    if (!vtkActor2D::SafeDownCast(prop) || this->FindOut(frame, geometry, prop) != Found::Nothing)
+    {
+      unhooked.push_back(prop);
+    }
+  }
   std::vector<vtkProp*> hooked;
   for (vtkProp* prop : frame.Props)
   {
@@ -41,19 +50,8 @@ std::vector<vtkProp*> vtkOITHookTrial::TakeUnsorted(vtkOITFrame& frame, vtkOITGe
       (addsLight && !frame.HasLight ? unhooked : hooked).push_back(prop);
       continue;
     }
-    Entry& entry = this->Entries[prop];
-    const vtkMTimeType time = prop->GetRedrawMTime();
-    if (entry.Prop != prop)
-    {
-      entry = { prop, Found::Nothing, 0 };
-    }
-    if (entry.Result == Found::Nothing || entry.Result == Found::Unknown ||
-      (entry.Result == Found::Hooked && entry.Time != time))
-    {
-      entry.Result = this->Try(frame, geometry, prop);
-      entry.Time = time;
-    }
-    const bool asks = entry.Result == Found::Nothing || entry.Result == Found::Hooked;
+    const Found found = this->FindOut(frame, geometry, prop);
+    const bool asks = found == Found::Nothing || found == Found::Hooked;
     (asks ? hooked : unhooked).push_back(prop);
   }
   frame.Props = std::move(hooked);
@@ -62,6 +60,27 @@ std::vector<vtkProp*> vtkOITHookTrial::TakeUnsorted(vtkOITFrame& frame, vtkOITGe
     it = it->second.Prop ? std::next(it) : this->Entries.erase(it);
   }
   return unhooked;
+}
+
+//------------------------------------------------------------------------------
+// What is drawn nowhere may be in another view; what has no place in the world is the same in all.
+vtkOITHookTrial::Found vtkOITHookTrial::FindOut(
+  const vtkOITFrame& frame, vtkOITGeometry& geometry, vtkProp* prop)
+{
+  Entry& entry = this->Entries[prop];
+  const vtkMTimeType time = prop->GetRedrawMTime();
+  if (entry.Prop != prop)
+  {
+    entry = { prop, Found::Unknown, 0 };
+  }
+  const bool dependsOnView = entry.Result == Found::Nothing && !vtkActor2D::SafeDownCast(prop);
+  if (entry.Result == Found::Unknown || dependsOnView ||
+    (entry.Result != Found::Unhooked && entry.Time != time))
+  {
+    entry.Result = this->Try(frame, geometry, prop);
+    entry.Time = time;
+  }
+  return entry.Result;
 }
 
 //------------------------------------------------------------------------------

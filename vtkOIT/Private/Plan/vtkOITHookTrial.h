@@ -55,9 +55,10 @@ private:
   struct Entry
   {
     vtkWeakPointer<vtkProp> Prop; // nullptr when another one may have its address
-    Found Result = Found::Nothing;
+    Found Result = Found::Unknown;
     vtkMTimeType Time = 0;
   };
+  Found FindOut(const vtkOITFrame& frame, vtkOITGeometry& geometry, vtkProp* prop);
   static std::vector<vtkProp*> FindDrawn(
     const vtkOITFrame& frame, vtkOITGeometry& geometry, const std::vector<vtkProp*>& props);
   Found Try(const vtkOITFrame& frame, vtkOITGeometry& geometry, vtkProp* prop);
