@@ -38,7 +38,9 @@ install(
     "${vtkoit_package_directory}/vtkOITConfigVersion.cmake"
   DESTINATION "${vtkoit_cmake_destination}"
   COMPONENT development)
-install(
-  FILES LICENSE
-  DESTINATION "${CMAKE_INSTALL_DATADIR}/licenses/vtkOIT"
-  COMPONENT runtime)
+if(NOT SKBUILD) # a wheel has it among its metadata
+  install(
+    FILES LICENSE
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/licenses/vtkOIT"
+    COMPONENT runtime)
+endif()

@@ -5,6 +5,9 @@
 # pure Python part of the package comes from Wrapping/Python/.
 
 vtk_module_python_default_destination(vtkoit_python_destination)
+set(VTKOIT_PYTHON_DESTINATION "${vtkoit_python_destination}" CACHE STRING
+  "Folder of the Python package vtkoit, relative to the prefix")
+set(vtkoit_python_destination "${VTKOIT_PYTHON_DESTINATION}")
 
 vtk_module_wrap_python(
   MODULES ${vtkoit_modules}

@@ -25,7 +25,8 @@ case ${1:--} in
   -*) fail "usage: matrix.sh [--copy FILE TO] RELEASE [COMMAND...], such as: matrix.sh testing" 2 ;;
 esac
 release=$1
-cache=${VTKOIT_ROOTFS_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/vtkoit}
+# shellcheck source=rootfs.sh
+. "$(dirname -- "$0")/rootfs.sh"
 
 unavailable()
 {
@@ -41,27 +42,11 @@ fi
 shift
 [ $# -gt 0 ] || set -- Utilities/test.sh ci
 
-command -v dpkg >/dev/null 2>&1 || unavailable "this is no Debian system"
-unshare --mount --pid --fork true 2>/dev/null || unavailable "no right to mount in this container"
+check_rootfs
 name=debian-$release-$(dpkg --print-architecture)
 rootfs=$cache/$name
-mkdir -p "$cache"
 exec 9>"$cache/$name.lock"
 flock 9
-
-# inside ROOTFS COMMAND...: in the copy of the tree, with /proc and /dev that vanish with it.
-inside()
-{
-  tree=$1
-  shift
-  unshare --mount --pid --fork --kill-child sh -euc '
-    mount -t proc proc "$1/proc"
-    mount --rbind /dev "$1/dev"
-    tree=$1
-    shift
-    exec env -i HOME=/root LANG=C.UTF-8 PATH=/usr/sbin:/usr/bin:/sbin:/bin \
-      chroot "$tree" sh -c "cd /vtkoit && exec \"\$@\"" sh "$@"' sh "$tree" "$@"
-}
 
 copy_source()
 {
@@ -73,34 +58,17 @@ copy_source()
   cp -L /etc/resolv.conf "$1/etc/resolv.conf" 2>/dev/null || :
 }
 
-make_rootfs()
-{
-  (install_packages mmdebstrap debian-archive-keyring) || unavailable "no mmdebstrap"
-  rm -rf --one-file-system "$rootfs.part"
-  # The mirror that this machine uses; without one, mmdebstrap knows Debian's own.
-  mirror=$(apt-get indextargets --format '$(REPO_URI)' | grep -m 1 '/debian/*$' || :)
-  say "making a root file system of Debian $release in $rootfs"
-  # shellcheck disable=SC2086 # one mirror or none
-  mmdebstrap --quiet --mode=root --variant=minbase \
-    --aptopt='Acquire::Check-Valid-Until "false"' --dpkgopt=force-unsafe-io \
-    "$release" "$rootfs.part" $mirror || {
-    rm -rf --one-file-system "$rootfs.part"
-    unavailable "mmdebstrap failed (mirror or network)"
-  }
-  mv "$rootfs.part" "$rootfs"
-}
-
 if [ ! -d "$rootfs" ]; then
-  make_rootfs
+  make_rootfs "$rootfs"
 else
   say "using the root file system in $rootfs"
 fi
 copy_source "$rootfs"
-inside "$rootfs" Utilities/packages.sh ||
+inside "$rootfs" /vtkoit Utilities/packages.sh ||
   unavailable "packages could not be installed in $rootfs (delete it to start afresh)"
 
 say "in Debian $release: $*"
-inside "$rootfs" "$@"
+inside "$rootfs" /vtkoit "$@"
 
 if [ -n "$wanted" ]; then
   cp "$rootfs/vtkoit/$wanted" "$target"

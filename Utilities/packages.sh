@@ -2,11 +2,11 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# packages.sh: installs the Debian packages that building and testing need, those that are missing.
-# packages.sh applications: those too that the tests with programs of the distribution need; without
-# them such a test is skipped.
-# packages.sh --list [applications]: prints their names. A name that ends in ? is left out where the release does
-# not have it (Mesa dropped OSMesa; there the EGL libraries serve).
+# packages.sh [tests] [applications]: installs the Debian packages that are missing: those that
+# building needs, those of the tests (among them a browser), and programs of the distribution that
+# some tests draw with. A test that misses something is skipped.
+# packages.sh --list [tests] [applications]: prints their names. A name that ends in ? is left out
+# where the release does not have it (Mesa dropped OSMesa; there the EGL libraries serve).
 set -eu
 # shellcheck source=common.sh
 . "$(dirname -- "$0")/common.sh"
@@ -25,6 +25,15 @@ packages='
   libegl1
   libgl1-mesa-dri
   glslang-tools?
+  help2man
+  python3-shtab
+'
+
+test_packages='
+  chromium?
+  chromium-driver?
+  mypy?
+  python3-selenium?
 '
 
 applications='
@@ -40,11 +49,13 @@ if [ "${1:-}" = --list ]; then
   list=yes
   shift
 fi
-case ${1:-} in
-  '') ;;
-  applications) packages="$packages $applications" ;;
-  *) fail "unknown argument $1; usage: packages.sh [--list] [applications]" 2 ;;
-esac
+for group in "$@"; do
+  case $group in
+    tests) packages="$packages $test_packages" ;;
+    applications) packages="$packages $applications" ;;
+    *) fail "unknown argument $group; usage: packages.sh [--list] [tests] [applications]" 2 ;;
+  esac
+done
 if [ -n "$list" ]; then
   # shellcheck disable=SC2086 # a list of package names
   printf '%s\n' $packages

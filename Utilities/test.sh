@@ -19,7 +19,7 @@ else
   which="running the tests, without those of the label long (test.sh $preset --long has them too)"
 fi
 
-"$root/Utilities/packages.sh"
+"$root/Utilities/packages.sh" tests
 
 say "building in $root/build"
 cd "$root"

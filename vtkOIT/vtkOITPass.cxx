@@ -56,13 +56,19 @@ public:
     return *this->Capabilities;
   }
 
+  /// Draws a frame: props that say that they have something translucent, and others that may have.
+  void Draw(vtkOITPass* pass, const vtkRenderState* state, std::vector<vtkProp*> props,
+    const std::vector<vtkProp*>& denying, vtkOITVolumes& volumes);
+  /// A frame that has none but those others.
+  void DrawDenying(
+    vtkOITPass* pass, const vtkRenderState* state, const std::vector<vtkProp*>& props);
+
   std::unique_ptr<vtkOITEngine> Engine; // of the subclass's method, may be nullptr
   vtkOITPlanRunner Runner;
   vtkOITStatistics Statistics;                      // of the last frame
   std::unique_ptr<vtkOITCapabilities> Capabilities; // of CapabilitiesWindow
   vtkOpenGLRenderWindow* CapabilitiesWindow = nullptr;
   vtkOITHookTrial HookTrial;
-  std::string Unsorted; // why some props of this frame are drawn unsorted; empty: none are
   std::set<std::string> Reported; // so that each line is printed once, not every frame
 };
 
@@ -169,21 +175,14 @@ void vtkOITPass::RenderWithVolumes(const vtkRenderState* state, vtkRenderPass* v
   }
   else
   {
-    this->Impl->Unsorted.clear();
-    vtkOITDelegate delegate(this->TranslucentPass, state);
-    this->DrawBeside(delegate, vtkOITFindDenyingProps(state),
-      "Props that say that they have nothing translucent are blended unsorted, such as a ");
-    this->NumberOfRenderedProps = delegate.GetNumberOfRenderedProps();
+    const std::vector<vtkProp*> denying = vtkOITFindDenyingProps(state);
     if (!props.empty())
     {
-      this->Draw(state, std::move(props), volumes);
+      this->Impl->Draw(this, state, std::move(props), denying, volumes);
     }
-    if (!this->Impl->Unsorted.empty())
+    else if (!denying.empty())
     {
-      vtkOITStatistics& statistics = this->Impl->Statistics;
-      statistics.Warning = this->Impl->Unsorted;
-      statistics.NumberOfGeometryPasses = std::max(statistics.NumberOfGeometryPasses, 1);
-      statistics.NoteError(1.0);
+      this->Impl->DrawDenying(this, state, denying);
     }
   }
   volumes.DrawAfter();
@@ -192,78 +191,65 @@ void vtkOITPass::RenderWithVolumes(const vtkRenderState* state, vtkRenderPass* v
 }
 
 //------------------------------------------------------------------------------
-void vtkOITPass::Draw(
-  const vtkRenderState* state, std::vector<vtkProp*> props, vtkOITVolumes& volumes)
+void vtkOITPass::Internals::Draw(vtkOITPass* pass, const vtkRenderState* state,
+  std::vector<vtkProp*> props, const std::vector<vtkProp*>& denying, vtkOITVolumes& volumes)
 {
-  const Internals::Drawing drawing;
-  vtkOITDelegate delegate(this->TranslucentPass, state);
+  const Drawing drawing;
+  vtkOITDelegate delegate(pass->TranslucentPass, state);
   vtkOITFrame frame;
   frame.Renderer = state->GetRenderer();
   frame.Window = vtkOpenGLRenderWindow::SafeDownCast(frame.Renderer->GetVTKWindow());
   frame.GLState = frame.Window->GetState();
-  frame.Capabilities = &this->Impl->QueryCapabilities(frame.Window);
+  frame.Capabilities = &this->QueryCapabilities(frame.Window);
   frame.Target = vtkOITTarget::Query();
   frame.Props = std::move(props);
   vtkOITAllocation::TakeErrors();
-  const std::vector<vtkProp*> unhooked = this->DrawSorted(frame, delegate, volumes);
-  this->DrawBeside(delegate, unhooked,
-    "Props that draw past VTK's render passes, or add light, are blended unsorted, such as a ");
-  this->Impl->Statistics.NumberOfGeometryPasses = delegate.GetNumberOfPasses();
-  this->NumberOfRenderedProps += delegate.GetNumberOfRenderedProps();
+  {
+    vtkOITSavedState saved(frame.GLState, frame.Target);
+    frame.Viewport = saved.GetViewport();
+    const vtkOITSettings settings = pass->MakeSettings(*frame.Capabilities);
+    const std::vector<vtkProp*> unsorted = this->HookTrial.TakeUnsorted(frame, delegate, denying,
+      [&] { return this->Runner.GetSorters().SortsLight(frame, settings); });
+    frame.Extents = vtkOITFindScreenExtents(frame.Renderer, frame.Props, frame.Viewport);
+    const vtkOITVolumeOrder order(frame, volumes.GetAll());
+    volumes.SetOrder(order.Before, order.Between, order.After);
+    frame.Rectangle = vtkOITFindScreenRectangle(frame.Extents);
+    if (volumes.CanDraw() && !order.Between.empty())
+    {
+      frame.Volumes = &volumes;
+      frame.Rectangle = frame.Rectangle.Unite(order.Rectangle);
+    }
+    frame.Rectangle = frame.Rectangle.Intersect(saved.GetDrawnRectangle());
+    if (!order.Before.empty())
+    {
+      saved.SetAgain();
+      volumes.DrawBefore();
+      saved.SetNeutral();
+    }
+    vtkOITPlan plan = pass->MakePlan(frame, settings);
+    plan.Unsorted = unsorted;
+    this->Runner.Run(plan, settings, delegate, saved, this->Statistics);
+    const std::string doubt = order.FindDoubt(volumes.CanDraw());
+    if (!doubt.empty())
+    {
+      this->Statistics.NoteWarning(doubt);
+    }
+  }
+  this->Statistics.NumberOfGeometryPasses = delegate.GetNumberOfPasses();
+  pass->NumberOfRenderedProps = delegate.GetNumberOfRenderedProps();
 }
 
 //------------------------------------------------------------------------------
-// Returns the props that cannot be sorted, and are not drawn.
-std::vector<vtkProp*> vtkOITPass::DrawSorted(
-  vtkOITFrame& frame, vtkOITDelegate& delegate, vtkOITVolumes& volumes)
+void vtkOITPass::Internals::DrawDenying(
+  vtkOITPass* pass, const vtkRenderState* state, const std::vector<vtkProp*>& props)
 {
-  Internals& impl = *this->Impl;
-  vtkOITSavedState saved(frame.GLState, frame.Target);
-  frame.Viewport = saved.GetViewport();
-  const vtkOITSettings settings = this->MakeSettings(*frame.Capabilities);
-  std::vector<vtkProp*> unhooked = impl.HookTrial.TakeUnhooked(
-    frame, delegate, [&] { return impl.Runner.GetSorters().SortsLight(frame, settings); });
-  frame.Extents = vtkOITFindScreenExtents(frame.Renderer, frame.Props, frame.Viewport);
-  const vtkOITVolumeOrder order(frame, volumes.GetAll());
-  volumes.SetOrder(order.Before, order.Between, order.After);
-  frame.Rectangle = vtkOITFindScreenRectangle(frame.Extents);
-  if (volumes.CanDraw() && !order.Between.empty())
+  vtkOITDelegate delegate(pass->TranslucentPass, state);
+  if (delegate.DrawUnsorted(props))
   {
-    frame.Volumes = &volumes;
-    frame.Rectangle = frame.Rectangle.Unite(order.Rectangle);
+    this->Statistics.NoteUnsorted(props.front()->GetClassName());
+    this->Statistics.NumberOfGeometryPasses = 1;
   }
-  frame.Rectangle = frame.Rectangle.Intersect(saved.GetDrawnRectangle());
-  if (!order.Before.empty())
-  {
-    saved.SetAgain();
-    volumes.DrawBefore();
-    saved.SetNeutral();
-  }
-  if (!frame.Rectangle.IsEmpty())
-  {
-    impl.Runner.Run(this->MakePlan(frame, settings), settings, delegate, saved, impl.Statistics);
-  }
-  const std::string doubt = order.FindDoubt(volumes.CanDraw());
-  if (!doubt.empty())
-  {
-    impl.Statistics.NoteWarning(doubt);
-  }
-  return unhooked;
-}
-
-//------------------------------------------------------------------------------
-void vtkOITPass::DrawBeside(
-  vtkOITDelegate& delegate, const std::vector<vtkProp*>& props, const std::string& line)
-{
-  const int before = delegate.GetNumberOfRenderedProps();
-  if (!props.empty())
-  {
-    delegate.DrawUnsorted(props);
-  }
-  if (delegate.GetNumberOfRenderedProps() > before)
-  {
-    this->Impl->Unsorted = line + props.front()->GetClassName();
-  }
+  pass->NumberOfRenderedProps = delegate.GetNumberOfRenderedProps();
 }
 
 //------------------------------------------------------------------------------

@@ -22,11 +22,12 @@
  *    `C = C_layers + T C_dst`, `A = (1-T) + T A_dst`, inside the rectangle only.
  * 4. All OpenGL state is left as it was found.
  *
- * Props that no method can sort are blended unsorted, before or after the others, with a warning,
- * and GetExact() is false: those that say that they have nothing translucent and draw it, as
- * representations of widgets do, those that draw without vtkOpenGLRenderPass, which a trial finds
- * when they first appear. Emissive Gaussians add light: the A-buffer sorts them, so it takes the place
- * of peeling methods; without it, and by previews, their light is added over all others.
+ * Props that no method can sort are blended as a whole, with a warning, and GetExact() is false:
+ * those that say that they have nothing translucent and draw it, as representations of widgets do,
+ * those that draw without vtkOpenGLRenderPass, which a trial finds when they first appear, and
+ * emissive Gaussians where the A-buffer does not sort their light, and with previews. Each is drawn in
+ * its place: over all props with a farther centre of their bounds, and under all others, which are
+ * sorted among themselves.
  *
  * Volumes in the view are drawn in their order along each ray, before, between or behind the
  * translucent props, where the pass may draw them: see VolumetricPass and docs/volumes.md. Drawn by
@@ -236,11 +237,6 @@ private:
   vtkOITPass(const vtkOITPass&) = delete;
   void operator=(const vtkOITPass&) = delete;
 
-  void Draw(const vtkRenderState* state, std::vector<vtkProp*> props, vtkOITVolumes& volumes);
-  std::vector<vtkProp*> DrawSorted(
-    vtkOITFrame& frame, vtkOITDelegate& delegate, vtkOITVolumes& volumes);
-  void DrawBeside(
-    vtkOITDelegate& delegate, const std::vector<vtkProp*>& props, const std::string& line);
   void DrawUnsorted(const vtkRenderState* state, const std::string& reason);
   void Report();
 

@@ -10,10 +10,9 @@ import sys
 import pyvista as pv
 import vtkoit
 
-plotter = pv.Plotter(off_screen=True, shape=(1, 2), window_size=[600, 300])
-for column, title in enumerate(["VTK", "vtkOIT"]):
+plotter = pv.Plotter(off_screen=True, shape=(1, 2), border=False, window_size=[600, 300])
+for column in (0, 1):
     plotter.subplot(0, column)
-    plotter.add_text(title, font_size=10)
     for i, color in enumerate(["tomato", "mediumseagreen", "royalblue", "gold"]):
         plotter.add_mesh(pv.Sphere(radius=1.0 - 0.2 * i), color=color, opacity=0.4)
     plotter.add_mesh(pv.Cube(x_length=2.6, y_length=0.5, z_length=0.5), color="gray", opacity=0.6)

@@ -8,6 +8,7 @@
 #include "Rig/Rig.h"
 #include "Scenes/Random.h"
 
+#include "vtkCameraPass.h"
 #include "vtkDefaultPass.h"
 #include "vtkNew.h"
 #include "vtkOITProcessHook.h"
@@ -121,10 +122,13 @@ void CheckChains(Report& report, const Setup& setup)
   vtkRenderPass* translucent = steps->GetTranslucentPass();
   vtkNew<vtkSSAAPass> ssaa;
   ssaa->SetDelegatePass(steps);
-  vtkNew<vtkDefaultPass> hidden;
+  vtkNew<vtkDefaultPass> inner; // draws what is translucent by itself
+  vtkNew<vtkCameraPass> hidden;
+  hidden->SetDelegatePass(inner);
   Application stock(setup);
   stock.Scene.Renderer->SetPass(hidden);
   const Image without = stock.Scene.RenderWindow();
+  report.Check(without.At(0, 0).a > 0.5, "the stock picture is empty");
 
   vtkOITProcessHook::Install();
   Messages messages;

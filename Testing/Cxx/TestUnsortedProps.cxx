@@ -3,8 +3,9 @@
 
 // Props made of parts, as representations of widgets and vtkAnnotatedCubeActor are, which do not
 // hand on their property keys. Where they list their parts, these are sorted. Where they do not, or
-// say that they have nothing translucent, they are blended after or before all others: that is not
-// exact, but takes nothing away from the others.
+// say that they have nothing translucent, they are blended in their place among the others, by the
+// depths of boxes: that is not exact, but takes nothing away from the others, and where boxes lie
+// apart the picture is right.
 
 #include "Oracle/ReferenceCompositor.h"
 #include "Rig/Rig.h"
@@ -97,6 +98,89 @@ void TestPart(Report& report, const Setup& setup, const std::string& what, bool 
     report.Check(rig.Pass->GetExact() == lists, what + ": wrong promise");
   }
 }
+
+enum class Kind
+{
+  Sorted,
+  NotListed,
+  Denied
+};
+
+/// A quad over the whole viewport, or a prop that draws one.
+vtkSmartPointer<vtkActor> AddProp(Rig& rig, const Layer& layer, Kind kind)
+{
+  vtkSmartPointer<vtkActor> quad = rig.AddQuad(layer);
+  if (kind != Kind::Sorted)
+  {
+    rig.Renderer->RemoveViewProp(quad);
+    vtkNew<Composite> composite;
+    composite->Part = quad;
+    composite->Drawn = quad;
+    composite->Denies = kind == Kind::Denied;
+    rig.Renderer->AddViewProp(composite);
+  }
+  return quad;
+}
+
+/// Stacks of layers of these kinds, nearest first, which are added in another order.
+void TestPlaces(Report& report, const Setup& setup)
+{
+  constexpr Kind s = Kind::Sorted;
+  constexpr Kind n = Kind::NotListed;
+  constexpr Kind d = Kind::Denied;
+  const std::vector<std::vector<Kind>> stacks{ { n, s, s }, { s, s, n }, { s, n, s, d, s },
+    { s, n, n, s }, { n, s, s, d }, { n, d, n }, { s, s, n, s, s, s } };
+  for (const std::vector<Kind>& stack : stacks)
+  {
+    Rig rig(setup, 8, 6);
+    std::vector<Layer> layers;
+    std::string what = "stack";
+    for (std::size_t i = 0; i < stack.size(); ++i)
+    {
+      const auto part = static_cast<float>(i) / 8.0f;
+      layers.push_back({ 0.125f + part, { part, 0.25f, 1.0f - part, 0.25f + 0.5f * part } });
+      what += stack[i] == s ? " sorted" : stack[i] == n ? " not listed" : " denied";
+    }
+    for (const std::size_t i : { 3, 0, 5, 1, 4, 2 })
+    {
+      if (i < stack.size())
+      {
+        AddProp(rig, layers[i], stack[i]);
+      }
+    }
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      report.Compare(what, rig.Render(),
+        Everywhere(ReferenceCompositor::Composite(layers, rig.GetBackground())),
+        ReferenceCompositor::RoundingBound(layers, rig.GetBackground(), setup.FragmentStorage));
+      report.Check(!rig.Pass->GetExact(), what + ": wrong promise");
+    }
+  }
+}
+
+/// One that moves through a stack of which nothing else changes.
+void TestMoves(Report& report, const Setup& setup)
+{
+  Rig rig(setup, 8, 6);
+  const std::vector<Layer> others{ { 0.25f, { 0.0f, 0.75f, 0.25f, 0.25f } },
+    { 0.5f, { 0.25f, 0.125f, 1.0f, 0.5f } }, { 0.75f, { 0.875f, 0.0f, 0.125f, 0.75f } } };
+  rig.AddStack(others);
+  const Layer moving{ 0.125f, { 0.75f, 1.0f, 0.0f, 0.5f } };
+  vtkSmartPointer<vtkActor> actor = AddProp(rig, moving, Kind::NotListed);
+  for (const float depth : { 0.125f, 0.375f, 0.875f, 0.625f, 0.125f })
+  {
+    actor->SetPosition(0.0, 0.0, DepthToZ(depth) - DepthToZ(moving.Depth));
+    std::vector<Layer> layers = others;
+    layers.push_back({ depth, moving.Color });
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      report.Compare("moving, at depth " + std::to_string(depth), rig.Render(),
+        Everywhere(ReferenceCompositor::Composite(layers, rig.GetBackground())),
+        ReferenceCompositor::RoundingBound(layers, rig.GetBackground(), setup.FragmentStorage));
+      report.Check(!rig.Pass->GetExact(), "moving: wrong promise");
+    }
+  }
+}
 }
 
 int TestUnsortedProps(int argc, char* argv[])
@@ -107,8 +191,10 @@ int TestUnsortedProps(int argc, char* argv[])
       vtkObject::GlobalWarningDisplayOff(); // one warning for each is what is wanted
       TestPart(report, setup, "listed", true, false, false, { Near, Middle, Far });
       TestPart(report, setup, "listed, in an assembly", true, false, true, { Near, Middle, Far });
-      TestPart(report, setup, "not listed", false, false, false, { Middle, Near, Far });
-      TestPart(report, setup, "denied", false, true, false, { Near, Far, Middle });
+      TestPart(report, setup, "not listed", false, false, false, { Near, Middle, Far });
+      TestPart(report, setup, "denied", false, true, false, { Near, Middle, Far });
+      TestPlaces(report, setup);
+      TestMoves(report, setup);
       vtkObject::GlobalWarningDisplayOn();
     });
 }

@@ -10,11 +10,12 @@ import unittest
 
 import Support
 import vtkoit
+from vtkmodules.vtkCommonCore import vtkVersion
 
 
 class TestHelp(unittest.TestCase):
     def test_help_everywhere(self):
-        for arguments in ([], ["render"], ["compare"], ["info"], ["showcase"], ["bench"]):
+        for arguments in ([], ["render"], ["compare"], ["info"], ["run"], ["showcase"], ["bench"]):
             for option in ("-h", "--help"):
                 done = Support.run(*arguments, option)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -22,7 +23,9 @@ class TestHelp(unittest.TestCase):
                 self.assertIn("example", done.stdout)
 
     def test_version(self):
-        self.assertEqual(Support.run("--version").stdout, "vtkOIT %s\n" % vtkoit.__version__)
+        out = Support.run("--version").stdout
+        self.assertRegex(out, r"^vtkOIT %s\nbuilt for VTK %s, Python 3\.\d+; windows: .*(OSMesa|EGL).*\n$" % (
+            vtkoit.__version__, vtkVersion.GetVTKVersion()))
 
 
 class TestInfo(unittest.TestCase):

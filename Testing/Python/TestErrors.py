@@ -114,7 +114,7 @@ class TestErrors(Support.FolderTest):
 
     def test_method(self):
         self.render_fails("a.vtp", "--method", "magic", text="magic.*the methods are: auto abuffer")
-        self.render_fails("a.vtp", "--set", "Magic=3", text="no property 'Magic'; it has: Fragment")
+        self.render_fails("a.vtp", "--set", "Magic=3", text="no property 'Magic'; it has: .*FragmentPrecision")
         self.render_fails("a.vtp", "--set", "Magic", text="NAME=VALUE")
         self.render_fails("a.vtp", "--set", "FragmentPrecision=low", text="one of float, half")
 

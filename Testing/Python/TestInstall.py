@@ -3,20 +3,19 @@
 """install(), uninstall(), methods, properties, and the three ways to switch a pass on."""
 
 import unittest
+import unittest.mock
 
 import numpy
 import Support
 import vtkoit
 from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkRenderingCore import vtkRenderer
-from vtkmodules.vtkRenderingOpenGL2 import (
-    vtkCameraPass,
-    vtkLightsPass,
-    vtkOpaquePass,
-    vtkRenderPassCollection,
-    vtkRenderStepsPass,
-    vtkSequencePass,
-)
+from vtkoit.lookup import render_pass
+
+# Found in whichever module this VTK has them.
+vtkCameraPass, vtkLightsPass, vtkOpaquePass, vtkRenderPassCollection, vtkRenderStepsPass, vtkSequencePass = map(
+    render_pass, ("vtkCameraPass", "vtkLightsPass", "vtkOpaquePass", "vtkRenderPassCollection", "vtkRenderStepsPass",
+                  "vtkSequencePass"))
 
 
 class TestInstall(unittest.TestCase):
@@ -67,7 +66,7 @@ class TestInstall(unittest.TestCase):
 
     def test_something_else_than_a_renderer(self):
         for wrong in (None, 3, "renderer", vtkObject()):
-            with self.assertRaisesRegex(TypeError, "^a vtkRenderer is needed"):
+            with self.assertRaisesRegex(TypeError, "^a vtkRenderer, a vtkRenderWindow, a plotter or a render view is needed"):
                 vtkoit.install(wrong)
             with self.assertRaises(TypeError):
                 vtkoit.uninstall(wrong)
@@ -178,6 +177,19 @@ class TestProperties(unittest.TestCase):
         numpy.testing.assert_array_equal(Support.draw(renderer, (400, 300)), free)
         self.assertTrue(limited.GetExact())
         self.assertGreater(limited.GetNumberOfGeometryPasses(), 1)
+
+
+class TestNames(unittest.TestCase):
+    def test_a_class_is_found_in_either_module(self):
+        from vtkmodules import vtkRenderingCore, vtkRenderingOpenGL2
+
+        self.assertIs(render_pass("vtkDualDepthPeelingPass"), vtkRenderingOpenGL2.vtkDualDepthPeelingPass)
+        self.assertIs(render_pass("vtkRenderPass"), vtkRenderingCore.vtkRenderPass)
+        # As in VTK's master.
+        with unittest.mock.patch.object(vtkRenderingCore, "vtkTranslucentPass", vtkRenderer, create=True):
+            self.assertIs(render_pass("vtkTranslucentPass"), vtkRenderer)
+        with self.assertRaisesRegex(ImportError, "VTK has no vtkNonePass in vtkRenderingCore or vtkRenderingOpenGL2"):
+            render_pass("vtkNonePass")
 
 
 if __name__ == "__main__":

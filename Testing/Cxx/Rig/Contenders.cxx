@@ -9,6 +9,7 @@
 #include "vtkNew.h"
 #include "vtkOITABufferPass.h"
 #include "vtkOITHeadless.h"
+#include "vtkOITPassFactory.h"
 #include "vtkOITRendererHook.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderWindow.h"
@@ -20,13 +21,12 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 
 namespace vtkOITTest
 {
 namespace
 {
-const char* const Names[] = { "vtk-weighted", "vtk-dual", "vtk-peel", "control" };
+const char* const Names[] = { "vtk-weighted", "vtk-dual", "vtk-dual-4", "vtk-peel" };
 
 /// More than any scene has layers. VTK's dual pass takes 0, "no limit", for no peels at all.
 constexpr int AllPeels = 100000;
@@ -62,13 +62,14 @@ std::string FindGLRenderer()
   return name ? name : "unknown";
 }
 
-bool Append(const char* fileName, const std::string& test, const std::string& contender,
+bool Append(const std::string& fileName, const std::string& test, const std::string& contender,
   const std::vector<Report::Result>& results)
 {
-  std::FILE* file = std::fopen(fileName, "a");
+  std::FILE* file = std::fopen(fileName.c_str(), "a");
   if (!file)
   {
-    std::printf("FAILED: cannot write to %s; give a file in a folder that exists\n", fileName);
+    std::printf(
+      "FAILED: cannot write to %s; give a file in a folder that exists\n", fileName.c_str());
     return false;
   }
   std::fprintf(file, "{\"vtk\": %s, \"renderer\": %s}\n",
@@ -77,13 +78,27 @@ bool Append(const char* fileName, const std::string& test, const std::string& co
   {
     std::fprintf(file,
       "{\"test\": %s, \"number\": %d, \"contender\": %s, \"what\": %s, \"color\": %s, "
-      "\"alpha\": %s, \"allowed_color\": %s, \"allowed_alpha\": %s}\n",
+      "\"alpha\": %s, \"allowed_color\": %s, \"allowed_alpha\": %s, \"picture\": %s}\n",
       Quote(test).c_str(), result.StressTest, Quote(contender).c_str(), Quote(result.What).c_str(),
       Number(result.Error.Color).c_str(), Number(result.Error.Alpha).c_str(),
-      Number(result.Allowed.Color).c_str(), Number(result.Allowed.Alpha).c_str());
+      Number(result.Allowed.Color).c_str(), Number(result.Allowed.Alpha).c_str(),
+      Quote(result.Picture).c_str());
   }
   return std::fclose(file) == 0;
 }
+}
+
+//------------------------------------------------------------------------------
+std::string GetOption(int argc, char* argv[], const std::string& name)
+{
+  for (int i = 2; i + 1 < argc; ++i)
+  {
+    if (argv[i] == name)
+    {
+      return argv[i + 1];
+    }
+  }
+  return {};
 }
 
 //------------------------------------------------------------------------------
@@ -93,16 +108,19 @@ bool IsContender(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkOITPass> CreateContenderPass()
+vtkSmartPointer<vtkOITPass> CreateContenderPass(const std::string& name)
 {
-  return vtkSmartPointer<vtkOITABufferPass>::New();
+  // VTK's are attached without one; the tests set properties of some pass all the same.
+  return IsContender(name) ? vtkSmartPointer<vtkOITPass>(vtkSmartPointer<vtkOITABufferPass>::New())
+                           : vtkSmartPointer<vtkOITPass>::Take(vtkOITPassFactory::CreatePass(name));
 }
 
 //------------------------------------------------------------------------------
 void AttachContender(const std::string& name, vtkRenderer* renderer, vtkOITPass* pass)
 {
-  renderer->SetUseDepthPeeling(name == "vtk-dual");
-  renderer->SetMaximumNumberOfPeels(AllPeels);
+  const bool isDualOfFour = name == "vtk-dual-4";
+  renderer->SetUseDepthPeeling(name == "vtk-dual" || isDualOfFour);
+  renderer->SetMaximumNumberOfPeels(isDualOfFour ? 4 : AllPeels);
   renderer->SetOcclusionRatio(0.0);
   if (name == "vtk-peel")
   {
@@ -114,7 +132,7 @@ void AttachContender(const std::string& name, vtkRenderer* renderer, vtkOITPass*
     steps->SetTranslucentPass(peeling);
     renderer->SetPass(steps);
   }
-  else if (name == "control")
+  else if (!IsContender(name))
   {
     vtkOITRendererHook::Install(renderer, pass);
   }
@@ -133,8 +151,8 @@ void DetachContender(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-std::vector<Report::Result> ObserveContender(
-  const std::string& name, const std::function<void(Report&, const Setup&)>& body)
+std::vector<Report::Result> ObserveContender(const std::string& name,
+  const std::function<void(Report&, const Setup&)>& body, const std::string& pictures)
 {
   Setup setup;
   setup.Method = name;
@@ -143,7 +161,7 @@ std::vector<Report::Result> ObserveContender(
   setup.LargestStack = 1000;
   Report report;
   report.SetContext(name);
-  report.Observe({ 3.0 / 255, 3.0 / 255 });
+  report.Observe({ 3.0 / 255, 3.0 / 255 }, pictures);
   body(report, setup);
   return report.GetResults();
 }
@@ -156,13 +174,17 @@ int RunContender(int argc, char* argv[], const std::function<void(Report&, const
     std::printf("FAILED: no headless render window; see the error above\n");
     return EXIT_FAILURE;
   }
-  const std::vector<Report::Result> results = ObserveContender(argv[1], body);
-  for (int i = 2; i + 1 < argc; ++i)
+  if (!CreateContenderPass(argv[1]))
   {
-    if (std::strcmp(argv[i], "--results") == 0 && !Append(argv[i + 1], argv[0], argv[1], results))
-    {
-      return EXIT_FAILURE;
-    }
+    std::printf("FAILED: no method is called %s\n", argv[1]);
+    return EXIT_FAILURE;
+  }
+  const std::string file = GetOption(argc, argv, "--results");
+  const std::vector<Report::Result> results =
+    ObserveContender(argv[1], body, GetOption(argc, argv, "--pictures"));
+  if (!file.empty() && !Append(file, argv[0], argv[1], results))
+  {
+    return EXIT_FAILURE;
   }
   return EXIT_SUCCESS;
 }

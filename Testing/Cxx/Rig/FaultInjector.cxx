@@ -88,6 +88,10 @@ REAL(GetShaderiv)
 REAL(GetProgramiv)
 REAL(MapBuffer)
 REAL(MapBufferRange)
+REAL(GenQueries)
+REAL(BeginQuery)
+REAL(EndQuery)
+REAL(GetQueryObjectuiv)
 #undef REAL
 
 constexpr GLsizeiptr TooLarge = static_cast<GLsizeiptr>(1) << 60;
@@ -221,6 +225,44 @@ void* GLAPIENTRY MyMapBufferRange(
 }
 
 //------------------------------------------------------------------------------
+// A query that could not begin cannot end, and has no result; without the errors that OpenGL would add.
+bool IsQueryMissing = false;
+
+void GLAPIENTRY MyGenQueries(GLsizei count, GLuint* names)
+{
+  if (!FailsToAllocate(FaultInjector::Query, IS_OURS()))
+  {
+    RealGenQueries(count, names);
+  }
+}
+
+void GLAPIENTRY MyBeginQuery(GLenum target, GLuint name)
+{
+  IsQueryMissing = name == 0 || FailsToAllocate(FaultInjector::Query, IS_OURS());
+  if (!IsQueryMissing)
+  {
+    RealBeginQuery(target, name);
+  }
+}
+
+void GLAPIENTRY MyEndQuery(GLenum target)
+{
+  if (!IsQueryMissing)
+  {
+    RealEndQuery(target);
+  }
+  IsQueryMissing = false;
+}
+
+void GLAPIENTRY MyGetQueryObjectuiv(GLuint name, GLenum what, GLuint* value)
+{
+  if (glIsQuery(name) && !FailsToAllocate(FaultInjector::Query, IS_OURS()))
+  {
+    RealGetQueryObjectuiv(name, what, value);
+  }
+}
+
+//------------------------------------------------------------------------------
 // VTK compiles and links for us, so shaders are told apart by their texts.
 void GLAPIENTRY MyShaderSource(
   GLuint shader, GLsizei count, const GLchar* const* texts, const GLint* lengths)
@@ -311,6 +353,10 @@ void FaultInjector::Install()
   REPLACE(GetProgramiv)
   REPLACE(MapBuffer)
   REPLACE(MapBufferRange)
+  REPLACE(GenQueries)
+  REPLACE(BeginQuery)
+  REPLACE(EndQuery)
+  REPLACE(GetQueryObjectuiv)
 #undef REPLACE
 }
 #else
@@ -328,7 +374,7 @@ void FaultInjector::Install() {}
 const char* FaultInjector::GetName(Kind kind)
 {
   static constexpr std::array<const char*, NumberOfKinds> names{ "buffer", "texture",
-    "renderbuffer", "framebuffer", "compile", "link", "map" };
+    "renderbuffer", "framebuffer", "compile", "link", "map", "query" };
   return names[kind];
 }
 

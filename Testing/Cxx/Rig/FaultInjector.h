@@ -30,6 +30,7 @@ public:
     Compile,      // glGetShaderiv(GL_COMPILE_STATUS): false
     Link,         // glGetProgramiv(GL_LINK_STATUS): false
     Map,          // glMapBuffer*: no address
+    Query,        // glGenQueries: no names; glBeginQuery: not begun; glGetQueryObjectuiv: no value
     NumberOfKinds
   };
   static const char* GetName(Kind kind);

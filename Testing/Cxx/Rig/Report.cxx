@@ -10,11 +10,58 @@
 
 namespace vtkOITTest
 {
+namespace
+{
+constexpr int LargestPicture = 512;
+
+/// Colours as the window shows them, rounded to 8 bits, the upper row first.
+bool WritePicture(
+  const std::string& fileName, int width, int height, const Report::Expected& colors)
+{
+  std::FILE* file = std::fopen(fileName.c_str(), "wb");
+  if (!file)
+  {
+    return false;
+  }
+  std::fprintf(file, "P6 %d %d 255\n", width, height);
+  for (int y = height - 1; y >= 0; --y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      const glm::dvec4 color = colors(x, y);
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        const double value = std::isnan(color[channel]) ? 0.0 : color[channel];
+        std::fputc(
+          static_cast<int>(std::lround(255.0 * std::min(std::max(value, 0.0), 1.0))), file);
+      }
+    }
+  }
+  return std::fclose(file) == 0;
+}
+}
+
 //------------------------------------------------------------------------------
-void Report::Observe(const Tolerance& added)
+void Report::Observe(const Tolerance& added, const std::string& pictures)
 {
   this->IsObserving = true;
   this->Added = added;
+  this->Pictures = pictures;
+}
+
+//------------------------------------------------------------------------------
+std::string Report::KeepPictures(const Image& image, const Expected& expected) const
+{
+  if (this->Pictures.empty() || image.Width > LargestPicture || image.Height > LargestPicture)
+  {
+    return {};
+  }
+  const std::string name = this->Pictures + "/" + std::to_string(this->Results.size());
+  const auto shown = [&image](int x, int y) { return glm::dvec4(image.At(x, y)); };
+  return WritePicture(name + "-is.ppm", image.Width, image.Height, shown) &&
+      WritePicture(name + "-should.ppm", image.Width, image.Height, expected)
+    ? name
+    : std::string();
 }
 
 //------------------------------------------------------------------------------
@@ -83,7 +130,8 @@ bool Report::Compare(
   ++this->NumberOfChecks;
   if (this->IsObserving)
   {
-    this->Results.push_back({ this->StressTest, what, { largest[0], largest[1] }, tolerance });
+    this->Results.push_back({ this->StressTest, what, { largest[0], largest[1] }, tolerance,
+      this->KeepPictures(image, expected) });
     return bad == 0;
   }
   if (bad)

@@ -29,16 +29,18 @@ public:
   void SetStressTest(int number) { this->StressTest = number; }
 
   /// From now on nothing fails. Comparisons, with their tolerances widened by this, are kept as
-  /// results; conditions are not looked at.
-  void Observe(const Tolerance& added);
+  /// results; conditions are not looked at. Pictures of at most 512 pixels in either direction are
+  /// written into the folder, when one is named: NUMBER-is.ppm and NUMBER-should.ppm.
+  void Observe(const Tolerance& added, const std::string& pictures = {});
 
   /// A comparison of an observing report.
   struct Result
   {
     int StressTest = 0;
     std::string What;
-    Tolerance Error;   // the largest differences, infinite where a number is not finite
-    Tolerance Allowed; // what was added included
+    Tolerance Error;     // the largest differences, infinite where a number is not finite
+    Tolerance Allowed;   // what was added included
+    std::string Picture; // the files' name without -is.ppm; empty for none
   };
   const std::vector<Result>& GetResults() const { return this->Results; }
 
@@ -59,12 +61,16 @@ public:
   int GetExitStatus() const;
 
 private:
+  /// Writes the pictures of an observed comparison; the name of the files, empty for none.
+  std::string KeepPictures(const Image& image, const Expected& expected) const;
+
   std::string Context;
   int NumberOfChecks = 0;
   int NumberOfFailures = 0;
   int StressTest = 0;
   bool IsObserving = false;
   Tolerance Added;
+  std::string Pictures;
   std::vector<Result> Results;
 };
 }

@@ -137,7 +137,7 @@ vtkSmartPointer<vtkOITPass> Setup::CreatePass() const
 {
   if (this->IsContender)
   {
-    return CreateContenderPass();
+    return CreateContenderPass(this->Method);
   }
   auto pass = vtkSmartPointer<vtkOITPass>::Take(vtkOITPassFactory::CreatePass(this->Method));
   if (pass)
@@ -206,7 +206,7 @@ int RunTest(
   // VTK 9.6 passes an empty argument to tests; options of vtk_add_test_cxx start with a dash.
   const bool named = argc > 1 && argv[1][0] != '\0' && argv[1][0] != '-';
   setup.Method = named ? argv[1] : "abuffer";
-  if (IsContender(setup.Method))
+  if (IsContender(setup.Method) || !GetOption(argc, argv, "--results").empty())
   {
     return RunContender(argc, argv, body);
   }

@@ -50,7 +50,7 @@ struct Setup
   bool HasFetch = true;                // in this tier
   bool HasInterlock = false;           // the fragment shader interlock, in this tier
   int LargestStack = 4096;             // layers that the method peels in bearable time
-  bool IsContender = false;            // one of VTK's own, see Contenders.h
+  bool IsContender = false;            // only observed, see Contenders.h
   bool IsLong = false;                 // --long: also what takes too long to be run each time
 
   std::string Describe() const;
@@ -78,8 +78,8 @@ bool IsAsked(int argc, char* argv[], const std::string& part);
 
 /// Runs the body for each setup of the method named on the command line (default: abuffer).
 /// Returns the exit status: 125, with a line that names what is missing, when the method does not
-/// run in this context. For a contender nothing is asserted; with `--results FILE` the comparisons
-/// are appended to a file. `--long` sets Setup::IsLong.
+/// run in this context. For a contender, and with `--results FILE`, nothing is asserted, see
+/// RunContender(). `--long` sets Setup::IsLong.
 int RunTest(
   int argc, char* argv[], Setups setups, const std::function<void(Report&, const Setup&)>& body);
 }

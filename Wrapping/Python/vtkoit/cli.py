@@ -121,6 +121,10 @@ def _run(options):
             from . import application
 
             application.run(options.program, options.method, options.respect, options.log, options.preload)
+        elif options.command == "conform":
+            from .conform import run
+
+            run.run(options, progress)
         elif options.command == "bench":
             from .bench import run
 

@@ -13,6 +13,7 @@ from .bench.stage import SurfaceStage
 from .bench.store import slug
 from .errors import Error, printable
 from .render import SceneOptions
+from .report import page
 from .windows import headless
 
 SETTINGS = measure.Settings(frames=5, budget=1.5, turn=0.5, longest=0.0)
@@ -48,34 +49,55 @@ def run(arguments, progress):
     progress.begin("%s: truth" % name)
     right = truth.find(stage)._asdict()
     results = []
+    shown = [page.Shown("right picture", picture.png_of(numpy.rint(255.0 * numpy.clip(right["color"], 0.0, 1.0)).astype(
+        numpy.uint8)), None, "computed in double precision")]
     for group in measure.groups(names, options.size[0] * options.size[1],
                                 stage.facts()["triangles"]):
         for method, measured in measure.measure(stage, group, SETTINGS, progress):
             if method not in [result["method"] for result in results]:
                 result, color = record.make(stage.facts(), method, right, measured)
                 results.append(result)
-                _save(arguments.output, method, color, right["color"])
+                if color is not None:
+                    shown.append(_save(arguments.output, result, color, right["color"]))
     tables.relate(results)
     results.sort(key=lambda result: names.index(result["method"]))
     described = machine.describe()
     tables.write_csv(os.path.join(arguments.output, "compare.csv"), results, described)
     tables.write_json(os.path.join(arguments.output, "compare.json"), results, described, {})
+    shown[1:] = sorted(shown[1:], key=lambda each: names.index(each.method))
+    page.write(_page(name, notes, results, shown, described), os.path.join(arguments.output, "report.html"))
     progress.clear()
     for note in drawn.notes:
         print(note)
     print(machine.line(described))
     print(tables.LEGEND)
     print("\n".join(tables.text(results)))
-    print("%s: METHOD.png, METHOD-difference.png (%d times what is more than rounding), compare.csv, "
+    print("%s: report.html, METHOD.png, METHOD-difference.png (%d times what is more than rounding), compare.csv, "
           "compare.json" % (arguments.output, AMPLIFIED))
 
 
-def _save(folder, method, color, right):
-    """Writes the picture of a method and its amplified difference; color: None for none."""
-    if color is None:
-        return
-    picture.save(color, os.path.join(folder, "%s.png" % slug(method)))
-    picture.save(amplify(color, right), os.path.join(folder, "%s-difference.png" % slug(method)))
+def _save(folder, result, color, right):
+    """Writes the picture of a result, array of uint8, and its amplified difference; what the page shows of
+    them, page.Shown."""
+    difference = amplify(color, right)
+    picture.save(color, os.path.join(folder, "%s.png" % slug(result["method"])))
+    picture.save(difference, os.path.join(folder, "%s-difference.png" % slug(result["method"])))
+    note = "colours off by up to %.1f of 255 steps, %.3g %% of the pixels by more than one; %.1f ms" % (
+        result["max"], result["over1"], result["ms"])
+    return page.Shown(result["method"], picture.png_of(color), picture.png_of(difference), note)
+
+
+def _page(name, notes, results, shown, described):
+    """The page.Page of a comparison. name, notes: str and list of str, of the scene."""
+    rows = [[result["method"]] + (tables.cells(result) + [tables.drawn_by(result)] if result.get("ms")
+                                  else ["-"] * len(tables.headings()) + [result["reason"]])
+            for result in results]
+    return page.Page(
+        "Translucency of %s" % name, [tables.heading(results[0])] + notes, [page.Scene(name, shown)],
+        "Differences are %d times what is more than the rounding to 8 bits; black is right." % AMPLIFIED,
+        [page.Table("Time and errors of each method", ["method"] + tables.headings() + ["drawn by"], rows,
+                    " ".join(tables.LEGEND.split()))],
+        described)
 
 
 def amplify(color, right, factor=AMPLIFIED):

@@ -7,7 +7,7 @@ import re
 
 from .errors import Error, one_line, printable
 from .streams import complain
-from .version import VERSION
+from .version import PYTHON_VERSION, VERSION, VTK_VERSION, WINDOWS
 
 _MAIN = """examples:
   {prog} info
@@ -34,7 +34,8 @@ examples:
 
 _COMPARE = """Draws the same as the command render by every method, VTK's own too, and tells what a frame costs and
 how far its colours and its alpha are from the right ones, which are computed in double precision from
-all fragments. DIR receives METHOD.png, METHOD-difference.png, compare.csv and compare.json.
+all fragments. DIR receives report.html, one page with any two pictures under a slider, METHOD.png,
+METHOD-difference.png, compare.csv and compare.json.
 
 examples:
   {prog} ironProt.vtk --isosurface 40 80 120 --opacity 0.2 -o protein
@@ -65,6 +66,16 @@ examples:
   {prog} --quick -o numbers
   {prog} --scenes spheres isosurfaces layers --methods vtk-dual abuffer multilayer:NumberOfLayersPerPass=16
   {prog} --scenes skull.stl layers-* --size 1024x768 -o numbers
+  {prog} --list"""
+
+_CONFORM = """Draws the scenes of the stress suite, whose right pictures are known, by VTK's passes and by methods of
+vtkOIT, and tells which are wrong, and by how much. DIR receives report.html, one page with any two
+pictures of a scene under a slider and the table of all scenes, and conform.json. It needs vtkOITCxxTests,
+which is built with the tests; all of it takes some minutes.
+
+examples:
+  {prog} -o conformance
+  {prog} --scenes 2 5 8 21 --methods vtk-weighted vtk-dual auto
   {prog} --list"""
 
 
@@ -98,7 +109,9 @@ def parser(prog="vtkoit"):
     """The argparse parser of the whole command line."""
     top = _Parser(prog=prog, description="Exact order-independent transparency for VTK data.",
                   epilog=_MAIN.format(prog=prog))
-    top.add_argument("--version", action="version", version="vtkOIT " + VERSION)
+    top.add_argument("--version", action="version", help="show the version and what it was built for",
+                     version="vtkOIT %s\nbuilt for VTK %s, Python %s; windows: %s" % (
+                         VERSION, VTK_VERSION, PYTHON_VERSION, WINDOWS or "unknown"))
     commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True)
 
     def add(name, text, epilog):
@@ -107,6 +120,7 @@ def parser(prog="vtkoit"):
 
     _add_render(add("render", "draw data files to a picture", _RENDER))
     _add_compare(add("compare", "draw data files by every method, and tell the errors", _COMPARE))
+    _add_conform(add("conform", "draw scenes with known answers by any passes, VTK's too", _CONFORM))
     add("info", "tell what this machine renders with", _INFO)
     showcase = add("showcase", "draw scenes with VTK's methods and ours, and compare", _SHOWCASE)
     showcase.add_argument("-o", "--output", default="showcase", metavar="DIR",
@@ -237,6 +251,19 @@ def _add_compare(compare):
     option("--methods", nargs="+", metavar="M",
            help=_METHODS + " (default: all)")
     _add_scene(compare, "600x480")
+
+
+def _add_conform(conform):
+    option = conform.add_argument
+    option("-o", "--output", default="conformance", metavar="DIR",
+           help="folder of the page, made if missing (default: %(default)s)")
+    option("--scenes", nargs="+", metavar="N", help="numbers of scenes (default: all)")
+    option("--methods", nargs="+", metavar="M",
+           help="names (default: vtk-weighted vtk-dual vtk-peel abuffer)")
+    option("--program", metavar="FILE",
+           help="vtkOITCxxTests of a build with tests (default: bin/vtkOITCxxTests of this build)")
+    option("--list", action="store_true", help="print all scenes and methods, draw nothing")
+    option("--document", metavar="FOLDER", help=argparse.SUPPRESS)
 
 
 def without_value(arguments):

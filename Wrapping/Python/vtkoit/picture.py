@@ -65,21 +65,37 @@ def check_output(path, transparent):
         raise Error("%s: cannot be written: permission denied" % path)
 
 
-def save(pixels, path, transparent=False):
-    """Writes pixels (as from grab()) to a file; transparent: bool, with alpha. Raises Error."""
-    check_output(path, transparent)
-    name, _ = _WRITERS[os.path.splitext(path)[1].lower().lstrip(".")]
-    values = straight_alpha(pixels) if transparent else pixels[..., :3]
+def _image_of(values):
+    """A vtkImageData of an array of uint8, top row first."""
     height, width, components = values.shape
     image = vtkImageData()
     image.SetDimensions(width, height, 1)
     flat = numpy.ascontiguousarray(values[::-1]).reshape(-1, components)
     image.GetPointData().SetScalars(numpy_to_vtk(flat, deep=True))
+    return image
+
+
+def png_of(pixels):
+    """The bytes of a PNG file of colours, array of uint8, height x width x 3 or more."""
+    from vtkmodules.vtkIOImage import vtkPNGWriter
+
+    writer = vtkPNGWriter()
+    writer.SetInputData(_image_of(pixels[..., :3]))
+    writer.WriteToMemoryOn()
+    writer.Write()
+    return vtk_to_numpy(writer.GetResult()).tobytes()
+
+
+def save(pixels, path, transparent=False):
+    """Writes pixels (as from grab()) to a file; transparent: bool, with alpha. Raises Error."""
+    check_output(path, transparent)
+    name, _ = _WRITERS[os.path.splitext(path)[1].lower().lstrip(".")]
+    values = straight_alpha(pixels) if transparent else pixels[..., :3]
 
     from vtkmodules import vtkIOImage
 
     writer = getattr(vtkIOImage, name)()
-    writer.SetInputData(image)
+    writer.SetInputData(_image_of(values))
     writer.SetFileName(os.fsencode(path))
     if name == "vtkTIFFWriter":
         writer.SetCompressionToDeflate()

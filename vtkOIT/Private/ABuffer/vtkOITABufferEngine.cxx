@@ -29,9 +29,6 @@ std::int64_t GetBytesOfHeadsInTarget(const vtkOITFrame& frame)
   return INT64_C(4) * (r.X + r.Width) * (r.Y + r.Height);
 }
 
-/// What passes when there is no depth test.
-constexpr int AnyDepth = 7;
-
 /// A depth buffer that tests of a framebuffer of our own can go against.
 bool HasOwnDepth(const vtkOITTarget& target)
 {
@@ -311,85 +308,6 @@ vtkOITFailure vtkOITABufferEngine::Resolve(
     this->Volumes.DrawFailed(task.Frame, this->Store, task.Statistics);
   }
   return failure;
-}
-
-//------------------------------------------------------------------------------
-vtkOITFailure vtkOITABufferEngine::Capture(const Task& task)
-{
-  vtkOITFailure failure = this->BeginBand(task);
-  if (failure && this->HeadInTarget)
-  {
-    // The driver does not take the framebuffer of the list heads: it is not tried again.
-    this->HeadInTargetWorks = false;
-    this->ChooseCapture(task);
-    this->ChooseShaders(task);
-    failure = this->Store.Reserve(task.Frame.Window, *task.Frame.Capabilities, this->Band,
-      this->Store.GetCapacity(), this->Shaders.GetBytesPerNode(), this->GetLargestPool(task));
-    if (!failure)
-    {
-      failure = this->BeginBand(task);
-    }
-  }
-  if (failure)
-  {
-    return failure;
-  }
-  this->DepthCopyFailure = {};
-  this->NumberOfDraws = 0;
-  failure = task.Geometry.Draw(task.Frame.Props, this->Gather);
-  if (this->HasDepthCopy)
-  {
-    this->DepthCopy.Unbind(task.Frame.GLState, OIT_UNIT_DEPTH);
-  }
-  return failure ? failure : this->DepthCopyFailure;
-}
-
-//------------------------------------------------------------------------------
-vtkOITFailure vtkOITABufferEngine::BeginBand(const Task& task)
-{
-  this->HasDepthCopy = false;
-  this->Store.Begin(this->Band);
-  vtkOpenGLState* state = task.Frame.GLState;
-  task.Frame.BeginGeometry(this->Band);
-  const GLboolean writesHeads = this->HeadInTarget ? GL_TRUE : GL_FALSE;
-  state->vtkglColorMask(writesHeads, writesHeads, writesHeads, writesHeads);
-  if (this->HasSolidDepth)
-  {
-    if (vtkOITFailure failure = this->SolidDepth.Bind(task.Frame))
-    {
-      return failure;
-    }
-  }
-  return this->HeadInTarget ? this->Store.BindHeadFramebuffer(state) : vtkOITFailure();
-}
-
-//------------------------------------------------------------------------------
-void vtkOITABufferEngine::SetUniforms(const Task& task, vtkShaderProgram* program, vtkProp* prop)
-{
-  // An actor may have been told to write depth; translucent ones must not.
-  task.Frame.GLState->vtkglDepthMask(GL_FALSE);
-  this->Store.SetUniforms(program);
-  if (this->Shaders.HasDrawOrder())
-  {
-    program->SetUniformi("oitDrawNumber", this->NumberOfDraws++);
-  }
-  if (this->Shaders.HasLight)
-  {
-    program->SetUniformi("oitIsLight", vtkOITAddsLight(prop) ? 1 : 0);
-  }
-  if (program->IsUniformUsed("oitOpaqueDepth"))
-  {
-    if (!this->HasDepthCopy && !this->DepthCopyFailure)
-    {
-      this->DepthCopyFailure =
-        this->DepthCopy.Copy(task.Frame, this->Band, this->Band, OIT_UNIT_DEPTH);
-      this->HasDepthCopy = !this->DepthCopyFailure;
-    }
-    program->SetUniformi("oitOpaqueDepth", OIT_UNIT_DEPTH);
-    program->SetUniformi("oitDepthBits", task.Frame.Target.GetFixedDepthBits());
-    program->SetUniformi("oitDepthFunction",
-      task.Frame.Target.TestsDepth ? task.Frame.Target.GetDepthRelations() : AnyDepth);
-  }
 }
 
 //------------------------------------------------------------------------------

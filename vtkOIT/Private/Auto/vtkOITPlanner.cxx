@@ -65,9 +65,9 @@ vtkOITPlan vtkOITPlanner::MakePlan(
   }
   if (settings.SkipSorting)
   {
-    plan.FindOrder = [this, frame = plan.Frame]
+    plan.FindOrder = [this](const vtkOITFrame& group)
     {
-      const vtkOITBlendPlan found(frame, this->Shapes);
+      const vtkOITBlendPlan found(group, this->Shapes);
       return vtkOITOrder{ found.Blended, found.Sorted };
     };
   }

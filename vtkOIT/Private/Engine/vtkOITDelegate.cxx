@@ -56,20 +56,29 @@ vtkOITFailure vtkOITDelegate::DrawHooked(const std::vector<vtkProp*>& props, vtk
 }
 
 //------------------------------------------------------------------------------
-void vtkOITDelegate::DrawUnsorted(const std::vector<vtkProp*>& props)
+bool vtkOITDelegate::DrawUnsorted(const std::vector<vtkProp*>& props)
 {
   this->Pass->Render(vtkOITPartState(this->State, props).Get());
-  this->Note(props);
+  return this->Note(props);
 }
 
 //------------------------------------------------------------------------------
-void vtkOITDelegate::Note(const std::vector<vtkProp*>& props)
+bool vtkOITDelegate::TryUnsorted(vtkProp* prop)
+{
+  this->Pass->Render(vtkOITPartState(this->State, { prop }).Get());
+  return this->Pass->GetNumberOfRenderedProps() > 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITDelegate::Note(const std::vector<vtkProp*>& props)
 {
   ++this->NumberOfPasses;
-  if (this->Pass->GetNumberOfRenderedProps() > 0)
+  const bool hasDrawn = this->Pass->GetNumberOfRenderedProps() > 0;
+  if (hasDrawn)
   {
     this->Rendered.insert(props.begin(), props.end());
   }
+  return hasDrawn;
 }
 
 //------------------------------------------------------------------------------

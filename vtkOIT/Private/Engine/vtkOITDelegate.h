@@ -23,14 +23,15 @@ public:
 
   vtkOITFailure Draw(const std::vector<vtkProp*>& props, vtkOITGather& gather) override;
   int Try(vtkProp* prop, vtkOITGather& gather) override;
-  void DrawUnsorted(const std::vector<vtkProp*>& props) override;
+  bool DrawUnsorted(const std::vector<vtkProp*>& props) override;
+  bool TryUnsorted(vtkProp* prop) override;
 
   int GetNumberOfPasses() const { return this->NumberOfPasses; }
   int GetNumberOfRenderedProps() const { return static_cast<int>(this->Rendered.size()); }
 
 private:
   vtkOITFailure DrawHooked(const std::vector<vtkProp*>& props, vtkOITGather& gather);
-  void Note(const std::vector<vtkProp*>& props);
+  bool Note(const std::vector<vtkProp*>& props);
 
   vtkRenderPass* Pass;
   const vtkRenderState* State;

@@ -24,8 +24,12 @@ public:
   /// the number of draws that asked the gather's hook.
   virtual int Try(vtkProp* prop, vtkOITGather& gather) = 0;
 
-  /// The props as VTK draws them without any pass of ours, into what is bound and as it is set.
-  virtual void DrawUnsorted(const std::vector<vtkProp*>& props) = 0;
+  /// The props as VTK draws them without any pass of ours, into what is bound and as it is set. True
+  /// when one of them has drawn something.
+  virtual bool DrawUnsorted(const std::vector<vtkProp*>& props) = 0;
+
+  /// The same of one prop as a trial: it counts in no statistics.
+  virtual bool TryUnsorted(vtkProp* prop) = 0;
 };
 
 #endif

@@ -48,6 +48,36 @@ struct vtkOITStatistics
     this->Fault = this->Fault.empty() ? fault : this->Fault;
     this->NoteError(1.0);
   }
+  /// Props were blended without sorting, such as one of this class.
+  void NoteUnsorted(const std::string& className)
+  {
+    this->Warning = "Props that cannot be sorted are blended as a whole, such as a " + className;
+    this->NoteError(1.0);
+  }
+  /// What was drawn over that. Nobody has counted the fragments of a pixel in both.
+  void Add(const vtkOITStatistics& part)
+  {
+    const bool isFirst = this->Algorithm.empty();
+    const bool isCounted = this->NumberOfFragments >= 0 && part.NumberOfFragments >= 0;
+    if (!part.Algorithm.empty())
+    {
+      this->NumberOfFragments = isCounted ? this->NumberOfFragments + part.NumberOfFragments : -1;
+      this->MaximumDepthComplexity = isFirst ? part.MaximumDepthComplexity : -1;
+      this->Algorithm = part.Algorithm;
+      this->Reason = part.Reason;
+    }
+    this->NumberOfPeels += part.NumberOfPeels;
+    this->NumberOfLostFragments += part.NumberOfLostFragments;
+    this->SkippedHiddenFragments = this->SkippedHiddenFragments || part.SkippedHiddenFragments;
+    this->NoteError(part.ErrorBound);
+    this->Exact = this->Exact && part.Exact;
+    if (!part.Summary.empty())
+    {
+      this->AddToSummary(part.Summary);
+    }
+    this->Warning = this->Warning.empty() ? part.Warning : this->Warning;
+    this->Fault = this->Fault.empty() ? part.Fault : this->Fault;
+  }
   void NoteFragments(std::int64_t fragments, int depthComplexity)
   {
     this->NumberOfFragments += fragments;

@@ -119,8 +119,7 @@ void vtkOITNeutralState::SetAgain() const
 //------------------------------------------------------------------------------
 void vtkOITNeutralState::SaveTextures()
 {
-  GLint active = GL_TEXTURE0;
-  glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
+  glGetIntegerv(GL_ACTIVE_TEXTURE, &this->ActiveTexture);
   for (int unit = 0; unit < Units; ++unit)
   {
     glActiveTexture(GL_TEXTURE0 + FirstUnit + unit);
@@ -134,14 +133,12 @@ void vtkOITNeutralState::SaveTextures()
       glBindSampler(FirstUnit + unit, 0);
     }
   }
-  glActiveTexture(active);
+  glActiveTexture(this->ActiveTexture);
 }
 
 //------------------------------------------------------------------------------
 void vtkOITNeutralState::RestoreTextures() const
 {
-  GLint active = GL_TEXTURE0;
-  glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
   for (int unit = 0; unit < Units; ++unit)
   {
     glActiveTexture(GL_TEXTURE0 + FirstUnit + unit);
@@ -154,5 +151,5 @@ void vtkOITNeutralState::RestoreTextures() const
       glBindSampler(FirstUnit + unit, this->Samplers[unit]);
     }
   }
-  glActiveTexture(active);
+  glActiveTexture(this->ActiveTexture);
 }

@@ -33,6 +33,13 @@ public:
   void SetNeutral() const;
   ///@}
 
+  /// What was found of the first draw buffer, and the texture unit that was active.
+  ///@{
+  const std::array<GLboolean, 4>& GetColorMask() const { return this->ColorMasks[0]; }
+  bool GetBlends() const { return this->Blends[0] == GL_TRUE; }
+  GLint GetActiveTexture() const { return this->ActiveTexture; }
+  ///@}
+
 private:
   static constexpr int Units = 4;   // see glsl/Common/vtkOITConstants.h
   static constexpr int Targets = 4; // of a unit
@@ -49,6 +56,7 @@ private:
   std::array<std::array<GLboolean, 4>, Buffers> ColorMasks{};
   std::array<GLboolean, Buffers> Blends{};
   bool HasBuffersApart = false; // masks or blending
+  GLint ActiveTexture = GL_TEXTURE0;
   std::array<std::array<GLint, Targets>, Units> Textures{};
   std::array<GLint, Units> Samplers{};
 };

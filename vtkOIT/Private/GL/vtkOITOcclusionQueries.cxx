@@ -12,21 +12,26 @@ bool vtkOITOcclusionQueries::CanCount()
 }
 
 //------------------------------------------------------------------------------
-void vtkOITOcclusionQueries::Begin(vtkOpenGLRenderWindow* window, std::size_t number)
+void vtkOITOcclusionQueries::StartRow(vtkOpenGLRenderWindow* window)
 {
   this->Attach(window);
-  while (this->Names.size() <= number)
-  {
-    GLuint name = 0;
-    glGenQueries(1, &name);
-    this->Names.push_back(name);
-  }
-  if (number == 0)
-  {
-    this->Counts = CanCount();
-  }
+  this->Delete();
+  this->Names.clear();
+  this->Counts = CanCount();
+  this->Failed = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITOcclusionQueries::Begin(std::size_t number)
+{
   if (this->Counts)
   {
+    const std::size_t known = this->Names.size();
+    if (number >= known)
+    {
+      this->Names.resize(number + 1);
+      glGenQueries(static_cast<GLsizei>(number + 1 - known), this->Names.data() + known);
+    }
     glBeginQuery(GL_SAMPLES_PASSED, this->Names[number]);
   }
 }
@@ -47,7 +52,7 @@ bool vtkOITOcclusionQueries::IsAvailable(std::size_t number) const
   {
     return true;
   }
-  GLuint isAvailable = GL_FALSE;
+  GLuint isAvailable = GL_TRUE; // what fails, can be had at once
   glGetQueryObjectuiv(this->Names[number], GL_QUERY_RESULT_AVAILABLE, &isAvailable);
   return isAvailable != GL_FALSE;
 }
@@ -59,9 +64,11 @@ std::int64_t vtkOITOcclusionQueries::GetResult(std::size_t number) const
   {
     return -1;
   }
-  GLuint samples = 0;
+  constexpr GLuint none = ~0u; // OpenGL leaves the value alone when it fails
+  GLuint samples = none;
   glGetQueryObjectuiv(this->Names[number], GL_QUERY_RESULT, &samples);
-  return samples;
+  this->Failed = this->Failed || samples == none;
+  return samples == none ? -1 : static_cast<std::int64_t>(samples);
 }
 
 //------------------------------------------------------------------------------

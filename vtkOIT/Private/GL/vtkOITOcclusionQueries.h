@@ -11,8 +11,9 @@
 
 /// A numbered row of occlusion queries, which count the samples that pass between Begin and End.
 /// Where the context does not count, or the application counts itself around the frame, nothing is
-/// counted and nobody may rely on a result. That is found out at number 0, once for a row: asking
-/// OpenGL for every one of many props would wait for the driver.
+/// counted and nobody may rely on a result. That is found out once for a row: asking OpenGL for
+/// every one of many props would wait for the driver. So is a query that fails: the names of a row are new, and
+/// one that was never begun has no result.
 class vtkOITOcclusionQueries : public vtkOITContextObjects
 {
 public:
@@ -21,13 +22,17 @@ public:
   /// Whether the context counts samples, and nobody else has begun to.
   static bool CanCount();
 
-  void Begin(vtkOpenGLRenderWindow* window, std::size_t number);
+  /// Starts a row: at least once a frame.
+  void StartRow(vtkOpenGLRenderWindow* window);
+  void Begin(std::size_t number);
   void End();
 
   /// Whether the result can be had without waiting.
   bool IsAvailable(std::size_t number) const;
   /// The number of samples; waits for it. Negative when it is not known.
   std::int64_t GetResult(std::size_t number) const;
+  /// Whether a result of this row was asked for that is not there although the context counts.
+  bool HasFailed() const { return this->Failed; }
 
 private:
   void Delete() override;
@@ -35,6 +40,7 @@ private:
 
   std::vector<GLuint> Names;
   bool Counts = true;
+  mutable bool Failed = false;
 };
 
 #endif

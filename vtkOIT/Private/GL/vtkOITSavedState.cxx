@@ -25,7 +25,6 @@ vtkOITSavedState::vtkOITSavedState(vtkOpenGLState* state, const vtkOITTarget& ta
   this->ReadFramebuffer = vtkOITGetInteger(GL_READ_FRAMEBUFFER_BINDING);
   this->Renderbuffer = vtkOITGetInteger(GL_RENDERBUFFER_BINDING);
   this->VertexArray = vtkOITGetInteger(GL_VERTEX_ARRAY_BINDING);
-  this->ActiveTexture = vtkOITGetInteger(GL_ACTIVE_TEXTURE);
   this->CullFaceMode = vtkOITGetInteger(GL_CULL_FACE_MODE);
   glGetBooleanv(GL_DEPTH_WRITEMASK, &this->DepthMask);
   this->Viewport = GetRectangle(GL_VIEWPORT);
@@ -34,8 +33,6 @@ vtkOITSavedState::vtkOITSavedState(vtkOpenGLState* state, const vtkOITTarget& ta
     vtkOITGetInteger(GL_BLEND_SRC_ALPHA), vtkOITGetInteger(GL_BLEND_DST_ALPHA) };
   this->BlendEquation = { vtkOITGetInteger(GL_BLEND_EQUATION_RGB),
     vtkOITGetInteger(GL_BLEND_EQUATION_ALPHA) };
-  glGetBooleanv(GL_COLOR_WRITEMASK, this->ColorMask.data());
-  this->Blends = glIsEnabled(GL_BLEND) == GL_TRUE;
   this->TestsScissor = glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE;
   this->Multisamples = glIsEnabled(GL_MULTISAMPLE) == GL_TRUE;
   this->Restore(); // makes the cache true
@@ -75,7 +72,7 @@ void vtkOITSavedState::Restore() const
   vtkOpenGLState* state = this->State;
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Target.Framebuffer);
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->ReadFramebuffer);
-  state->vtkglActiveTexture(this->ActiveTexture);
+  state->vtkglActiveTexture(this->Neutral.GetActiveTexture());
   state->vtkglDepthFunc(this->Target.DepthFunction);
   state->vtkglDepthMask(this->DepthMask);
   state->vtkglCullFace(this->CullFaceMode);
@@ -86,9 +83,9 @@ void vtkOITSavedState::Restore() const
   state->vtkglBlendFuncSeparate(
     this->BlendFunction[0], this->BlendFunction[1], this->BlendFunction[2], this->BlendFunction[3]);
   state->vtkglBlendEquationSeparate(this->BlendEquation[0], this->BlendEquation[1]);
-  state->vtkglColorMask(
-    this->ColorMask[0], this->ColorMask[1], this->ColorMask[2], this->ColorMask[3]);
-  state->SetEnumState(GL_BLEND, this->Blends);
+  const std::array<GLboolean, 4>& mask = this->Neutral.GetColorMask();
+  state->vtkglColorMask(mask[0], mask[1], mask[2], mask[3]);
+  state->SetEnumState(GL_BLEND, this->Neutral.GetBlends());
   state->SetEnumState(GL_DEPTH_TEST, this->Target.TestsDepth);
   state->SetEnumState(GL_SCISSOR_TEST, this->TestsScissor);
   state->SetEnumState(GL_CULL_FACE, this->Target.CullsFaces);

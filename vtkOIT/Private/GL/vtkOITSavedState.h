@@ -74,15 +74,12 @@ private:
   GLint ReadFramebuffer = 0;
   GLint Renderbuffer = 0;
   GLint VertexArray = 0;
-  GLint ActiveTexture = GL_TEXTURE0;
   GLint CullFaceMode = GL_BACK;
   GLboolean DepthMask = GL_TRUE;
   vtkOITRectangle Viewport;
   vtkOITRectangle Scissor;
   std::array<GLint, 4> BlendFunction{};
   std::array<GLint, 2> BlendEquation{};
-  std::array<GLboolean, 4> ColorMask{};
-  bool Blends = false;
   bool TestsScissor = false;
   bool Multisamples = false;
   std::array<ImageUnit, BindingCount> ImageUnits;

@@ -52,7 +52,7 @@ void vtkOITHookRecord::Begin(const char* rendererClass, const std::string& obsta
   if (this->Log && isNew)
   {
     Say(this->RendererClass + " reached " + this->Way + ", method " + this->Method +
-      (obstacle.empty() ? "" : ", left to VTK: " + obstacle));
+      (obstacle.empty() ? "" : ", but does not draw: " + obstacle));
   }
 }
 
@@ -73,18 +73,15 @@ std::string vtkOITHookRecord::GetSummary() const
   std::ostringstream text;
   text << this->RendererClass << ": " << this->NumberOfFrames << " frames, "
        << this->NumberOfExactFrames << " exact";
-  if (this->NumberOfFrames > 0)
+  text << "; the last one by " << this->Last.Algorithm << ", " << this->Last.GeometryPasses
+       << " geometry passes";
+  if (this->Last.Fragments > 0)
   {
-    text << "; the last one by " << this->Last.Algorithm << ", " << this->Last.GeometryPasses
-         << " geometry passes";
-    if (this->Last.Fragments > 0)
-    {
-      text << ", " << this->Last.Fragments << " fragments";
-    }
-    if (this->Last.DepthComplexity > 0)
-    {
-      text << ", up to " << this->Last.DepthComplexity << " in a pixel";
-    }
+    text << ", " << this->Last.Fragments << " fragments";
+  }
+  if (this->Last.DepthComplexity > 0)
+  {
+    text << ", up to " << this->Last.DepthComplexity << " in a pixel";
   }
   return text.str();
 }
@@ -96,7 +93,7 @@ void vtkOITHookRecord::SayAll()
   const std::lock_guard<std::mutex> lock(logged.Mutex);
   for (const auto& record : logged.Records)
   {
-    if (!record->RendererClass.empty())
+    if (record->NumberOfFrames > 0)
     {
       Say(record->GetSummary());
     }

@@ -188,7 +188,8 @@ vtkOITFailure vtkOITMultiLayerPeeler::GatherUnordered(const vtkOITPeelContext& c
   const int passes = this->IsRest ? 1 : this->NumberOfLayers + 2;
   for (int pass = 0; pass < passes; ++pass)
   {
-    this->Changes.Begin(context.Frame.Window, 0);
+    this->Changes.StartRow(context.Frame.Window);
+    this->Changes.Begin(0);
     vtkOITFailure failure = this->RenderGeometry(context);
     this->Changes.End();
     if (failure || this->Changes.GetResult(0) == 0)

@@ -26,6 +26,10 @@ void vtkOITPeelRegion::Begin(const vtkOITFrame& frame, const vtkOITRectangle& ba
   this->CellSize = std::max((longest + CellsPerSide - 1) / CellsPerSide, SmallestCell);
   this->Peels.clear();
   this->NextQuery = 0;
+  if (counts)
+  {
+    this->Queries.StartRow(frame.Window);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -54,7 +58,7 @@ void vtkOITPeelRegion::Count(std::size_t peel, const std::function<void()>& draw
       this->Peels[peel].push_back({ rectangle, this->NextQuery++ });
       this->Frame->GLState->vtkglScissor(
         rectangle.X, rectangle.Y, rectangle.Width, rectangle.Height);
-      this->Queries.Begin(this->Frame->Window, this->Peels[peel].back().Query);
+      this->Queries.Begin(this->Peels[peel].back().Query);
       draw();
       this->Queries.End();
     }

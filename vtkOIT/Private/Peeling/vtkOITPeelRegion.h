@@ -39,6 +39,9 @@ public:
   /// Limits the region to the cells that have pixels after a peel; waits for it.
   void ShrinkTo(std::size_t peel);
 
+  /// Whether a count is missing that was asked for.
+  bool HasFailed() const { return this->Queries.HasFailed(); }
+
   void Release() { this->Queries.Release(); }
 
 private:

@@ -203,6 +203,9 @@ vtkOITFailure vtkOITPeelState::Resolve(vtkOITScreenStage& stage,
   {
     return failure;
   }
+  // Props leave the masks as they like, vtkImageActor that of depth on: the Mask would be drawn over.
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglDisable(GL_BLEND);
   const bool isFront = this->Side == MaskSide::Front;
   // Finished pixels have the depth that nothing passes. Not in place, they have to be copied.

@@ -265,6 +265,10 @@ vtkOITFailure vtkOITPeelingEngine::PeelBand(
     }
     ++peels;
     isFinished = settings.UseOcclusionQuery && this->IsFinished(peels, end.Peels, fewestPixels);
+    if (this->State.GetRegion().HasFailed())
+    {
+      return vtkOITFailure("OpenGL has failed to count samples, and by such counts peeling ends");
+    }
   }
   const vtkOITPeelRegion& region = this->State.GetRegion();
   const bool hasRest = !isFinished || (fewestPixels > 0 && region.GetRemaining(peels - 1) > 0);

@@ -5,7 +5,7 @@
 //------------------------------------------------------------------------------
 void vtkOITPropCulling::Begin(vtkOpenGLRenderWindow* window, const std::vector<vtkProp*>& props)
 {
-  this->Window = window;
+  this->Queries.StartRow(window);
   this->Entries.clear();
   this->Index.clear();
   for (vtkProp* prop : props)
@@ -75,7 +75,7 @@ void vtkOITPropCulling::Draw(vtkProp* prop)
   {
     entry.IsAsked[this->Slot] = true;
     this->Current = next;
-    this->Queries.Begin(this->Window, this->GetNumber(next, this->Slot));
+    this->Queries.Begin(this->GetNumber(next, this->Slot));
   }
 }
 

@@ -48,7 +48,6 @@ private:
   vtkOITOcclusionQueries Queries;
   std::vector<Entry> Entries;
   std::unordered_map<vtkProp*, std::size_t> Index;
-  vtkOpenGLRenderWindow* Window = nullptr;
   std::size_t Slot = 0; // alternates from pass to pass
   std::size_t Current = None;
 };

@@ -37,7 +37,8 @@ bool vtkOITDepthCheck::IsUnchanged(const vtkOITFrame& frame)
   this->Kept.Bind(state, OIT_UNIT_GATHERED);
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   state->vtkglDisable(GL_BLEND);
-  this->Query.Begin(frame.Window, 0);
+  this->Query.StartRow(frame.Window);
+  this->Query.Begin(0);
   const vtkOITFailure failure = this->Stage.Render(
     frame.Window, vtkOITFullScreenVS,
     [] { return vtkOITShaderText({ vtkOITDepthCheckFS }).GetText(); },

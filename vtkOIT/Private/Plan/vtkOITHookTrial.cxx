@@ -11,6 +11,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkProp.h"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -26,10 +27,10 @@ vtkOITHookTrial::vtkOITHookTrial()
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkProp*> vtkOITHookTrial::TakeUnhooked(
-  vtkOITFrame& frame, vtkOITGeometry& geometry, const std::function<bool()>& sortsLight)
+std::vector<vtkProp*> vtkOITHookTrial::TakeUnsorted(vtkOITFrame& frame, vtkOITGeometry& geometry,
+  const std::vector<vtkProp*>& denying, const std::function<bool()>& sortsLight)
 {
-  std::vector<vtkProp*> unhooked;
+  std::vector<vtkProp*> unhooked = FindDrawn(frame, geometry, denying);
   std::vector<vtkProp*> hooked;
   for (vtkProp* prop : frame.Props)
   {
@@ -46,12 +47,14 @@ std::vector<vtkProp*> vtkOITHookTrial::TakeUnhooked(
     {
       entry = { prop, Found::Nothing, 0 };
     }
-    if (entry.Result == Found::Nothing || (entry.Result == Found::Hooked && entry.Time != time))
+    if (entry.Result == Found::Nothing || entry.Result == Found::Unknown ||
+      (entry.Result == Found::Hooked && entry.Time != time))
     {
       entry.Result = this->Try(frame, geometry, prop);
       entry.Time = time;
     }
-    (entry.Result == Found::Unhooked ? unhooked : hooked).push_back(prop);
+    const bool asks = entry.Result == Found::Nothing || entry.Result == Found::Hooked;
+    (asks ? hooked : unhooked).push_back(prop);
   }
   frame.Props = std::move(hooked);
   for (auto it = this->Entries.begin(); it != this->Entries.end();)
@@ -62,7 +65,21 @@ std::vector<vtkProp*> vtkOITHookTrial::TakeUnhooked(
 }
 
 //------------------------------------------------------------------------------
-// Where no trial is possible, the prop is taken for one that asks.
+// They draw into no pixel.
+std::vector<vtkProp*> vtkOITHookTrial::FindDrawn(
+  const vtkOITFrame& frame, vtkOITGeometry& geometry, const std::vector<vtkProp*>& props)
+{
+  std::vector<vtkProp*> drawn;
+  if (!props.empty())
+  {
+    frame.BeginGeometry({ 0, 0, 0, 0 });
+    std::copy_if(props.begin(), props.end(), std::back_inserter(drawn),
+      [&geometry](vtkProp* prop) { return geometry.TryUnsorted(prop); });
+  }
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
 vtkOITHookTrial::Found vtkOITHookTrial::Try(
   const vtkOITFrame& frame, vtkOITGeometry& geometry, vtkProp* prop)
 {
@@ -70,19 +87,20 @@ vtkOITHookTrial::Found vtkOITHookTrial::Try(
   if (this->Picture.Reserve(frame.Window, Side, Side, 1, GL_RGBA16F) ||
     this->Framebuffer.Bind(frame.Window, { this->Picture.GetLayer(0) }))
   {
-    return Found::Nothing;
+    return Found::Unknown;
   }
   frame.BeginStorage({ 0, 0, Side, Side }, { 0, 0, 0, 0 });
   state->vtkglViewport(0, 0, Side, Side);
   state->vtkglDisable(GL_DEPTH_TEST);
-  this->Query.Begin(frame.Window, 0);
+  this->Query.StartRow(frame.Window);
+  this->Query.Begin(0);
   const int draws = geometry.Try(prop, this->Gather);
   this->Query.End();
-  if (this->Query.GetResult(0) > 0)
-  {
-    return Found::Unhooked;
-  }
-  return draws > 0 ? Found::Hooked : Found::Nothing;
+  const std::int64_t samples = this->Query.GetResult(0);
+  return samples < 0 ? Found::Unknown
+    : samples > 0    ? Found::Unhooked
+    : draws > 0      ? Found::Hooked
+                     : Found::Nothing;
 }
 
 //------------------------------------------------------------------------------

@@ -35,11 +35,12 @@ class vtkOITHookTrial
 public:
   vtkOITHookTrial();
 
-  /// Takes such props out of the frame and returns them, and those that add light unless
+  /// Takes such props out of the frame and returns them, with those of `denying` that draw something
+  /// although they say that they have nothing translucent, and those that add light unless
   /// `sortsLight`: then the frame knows that it has some. Changes framebuffer, viewport, scissor,
   /// masks and tests.
-  std::vector<vtkProp*> TakeUnhooked(
-    vtkOITFrame& frame, vtkOITGeometry& geometry, const std::function<bool()>& sortsLight);
+  std::vector<vtkProp*> TakeUnsorted(vtkOITFrame& frame, vtkOITGeometry& geometry,
+    const std::vector<vtkProp*>& denying, const std::function<bool()>& sortsLight);
 
   void Release();
 
@@ -48,7 +49,8 @@ private:
   {
     Nothing, // it is drawn nowhere in this view
     Hooked,
-    Unhooked
+    Unhooked,
+    Unknown // no trial was possible; taken for unhooked, and tried again
   };
   struct Entry
   {
@@ -56,6 +58,8 @@ private:
     Found Result = Found::Nothing;
     vtkMTimeType Time = 0;
   };
+  static std::vector<vtkProp*> FindDrawn(
+    const vtkOITFrame& frame, vtkOITGeometry& geometry, const std::vector<vtkProp*>& props);
   Found Try(const vtkOITFrame& frame, vtkOITGeometry& geometry, vtkProp* prop);
 
   std::map<vtkProp*, Entry> Entries;

@@ -8,6 +8,9 @@
 
 #include <functional>
 #include <string>
+#include <vector>
+
+class vtkProp;
 
 /// Job blend: props whose order is known. Job sort: all others, and where they are.
 struct vtkOITOrder
@@ -27,8 +30,12 @@ struct vtkOITPlan
   /// was; otherwise it is kept from this frame on.
   bool IsStill = false;
 
-  /// The jobs blend and sort, found only for a frame that is drawn. Default: all is sorted.
-  std::function<vtkOITOrder()> FindOrder;
+  /// Props that cannot be sorted, and are blended as VTK draws them. They divide the frame into groups
+  /// (vtkOITFindGroups()), each with jobs of its own, drawn one over the other.
+  std::vector<vtkProp*> Unsorted;
+
+  /// The jobs blend and sort of a group, found only for one that is drawn. Default: all is sorted.
+  std::function<vtkOITOrder(const vtkOITFrame& group)> FindOrder;
 
   /// What the plan does without, and why; empty for nothing.
   std::string Summary;

@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Plan/vtkOITPlanRunner.h"
 
+#include "Private/Engine/vtkOITGeometry.h"
 #include "Private/Frame/vtkOITSettings.h"
 #include "Private/GL/vtkOITOutput.h"
 #include "Private/GL/vtkOITSavedState.h"
+#include "Private/Plan/vtkOITGroups.h"
 #include "Private/Plan/vtkOITPlan.h"
 
+#include "vtkProp.h"
+
 #include <algorithm>
+#include <vector>
 
 namespace
 {
@@ -24,15 +29,53 @@ void vtkOITPlanRunner::Run(const vtkOITPlan& plan, const vtkOITSettings& setting
   vtkOITGeometry& geometry, vtkOITSavedState& saved, vtkOITStatistics& statistics)
 {
   statistics.Summary = plan.Summary;
-  if (plan.Frame.Props.empty() || this->Reuse(plan, statistics))
+  const std::vector<vtkOITGroup> groups = vtkOITFindGroups(plan.Frame, plan.Unsorted);
+  // A layer is kept of a whole frame only.
+  const bool isStill = plan.IsStill &&
+    std::count_if(groups.begin(), groups.end(),
+      [](const vtkOITGroup& group) { return !group.Frame.Props.empty(); }) == 1;
+  vtkProp* unsorted = nullptr;
+  for (const vtkOITGroup& group : groups)
   {
-    return;
+    vtkOITStatistics ofGroup;
+    if (!group.Frame.Props.empty() && !group.Frame.Rectangle.IsEmpty() &&
+      !(isStill && this->Reuse(group.Frame, ofGroup)))
+    {
+      const vtkOITOrder order =
+        plan.FindOrder ? plan.FindOrder(group.Frame) : vtkOITOrder{ {}, group.Frame };
+      this->Draw({ group.Frame, order, settings, geometry, saved, ofGroup }, isStill);
+    }
+    statistics.Add(ofGroup);
+    if (DrawUnsorted(group, geometry, saved) && !unsorted)
+    {
+      unsorted = group.Unsorted.front();
+    }
   }
-  const vtkOITOrder order = plan.FindOrder ? plan.FindOrder() : vtkOITOrder{ {}, plan.Frame };
-  const Task task{ plan, order, settings, geometry, saved, statistics };
+  if (unsorted)
+  {
+    statistics.NoteUnsorted(unsorted->GetClassName());
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITPlanRunner::DrawUnsorted(
+  const vtkOITGroup& group, vtkOITGeometry& geometry, const vtkOITSavedState& saved)
+{
+  if (group.Unsorted.empty())
+  {
+    return false;
+  }
+  saved.SetAgain();
+  const bool hasDrawn = geometry.DrawUnsorted(group.Unsorted);
+  saved.SetNeutral();
+  return hasDrawn;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITPlanRunner::Draw(const Task& task, bool keepsLayer)
+{
   this->HasLayer = false;
-  bool keepsLayer = plan.IsStill;
-  vtkOITTarget target = plan.Frame.Target;
+  vtkOITTarget target = task.Frame.Target;
   Into into = this->ChooseTarget(task, keepsLayer, target);
   bool isBlended = false;
   if (this->Blend(task, target, into, isBlended) && into == Into::Layer)
@@ -40,33 +83,29 @@ void vtkOITPlanRunner::Run(const vtkOITPlan& plan, const vtkOITSettings& setting
     into = Into::Framebuffer; // the layer is dropped, with what is in it
     isBlended = false;
   }
-  const vtkOITFrame& sorted = isBlended ? order.Sort : plan.Frame;
+  const vtkOITFrame& sorted = isBlended ? task.Order.Sort : task.Frame;
   this->Sort(task, into == Into::Layer ? sorted.On(target) : sorted);
   if (isBlended)
   {
-    statistics.NumberOfFragments = -1;
-    statistics.MaximumDepthComplexity = -1;
+    task.Statistics.NumberOfFragments = -1;
+    task.Statistics.MaximumDepthComplexity = -1;
   }
   if (into == Into::Layer && !this->CompositeLayer(task, keepsLayer))
   {
-    this->Sort(task, plan.Frame);
+    this->Sort(task, task.Frame);
   }
 }
 
 //------------------------------------------------------------------------------
-bool vtkOITPlanRunner::Reuse(const vtkOITPlan& plan, vtkOITStatistics& statistics)
+bool vtkOITPlanRunner::Reuse(const vtkOITFrame& frame, vtkOITStatistics& statistics)
 {
-  const vtkOITFrame& frame = plan.Frame;
-  if (!plan.IsStill || !this->HasLayer || !this->DepthCheck.IsUnchanged(frame) ||
-    this->Layer.Composite(frame))
+  if (!this->HasLayer || !this->DepthCheck.IsUnchanged(frame) || this->Layer.Composite(frame))
   {
     return false;
   }
-  const std::string summary = statistics.Summary;
   statistics = this->LayerStatistics;
-  statistics.Summary = summary;
   statistics.NumberOfGeometryPasses = 0;
-  statistics.AddToSummary("whole frame reused");
+  statistics.Summary = "whole frame reused";
   statistics.Reason = "nothing has changed since the last frame";
   return true;
 }
@@ -93,7 +132,7 @@ bool vtkOITPlanRunner::MakeRoom(std::int64_t needed, std::int64_t forSorting, st
 vtkOITPlanRunner::Into vtkOITPlanRunner::ChooseTarget(
   const Task& task, bool& keepsLayer, vtkOITTarget& target)
 {
-  const vtkOITFrame& frame = task.Plan.Frame;
+  const vtkOITFrame& frame = task.Frame;
   const vtkOITBlendSteps& blend = task.Order.Blend;
   const bool needsLayer = blend.MaximumLayers > 1;
   const std::int64_t limit = task.Settings.BufferLimit;
@@ -152,14 +191,14 @@ vtkOITFailure vtkOITPlanRunner::Blend(
   this->Blending.SetSteps(&blend);
   this->Blending.SetLayerBeside(into == Into::Beside ? &this->Layer : nullptr);
   vtkOITFailure failure =
-    this->Blending.Draw(task.Plan.Frame.On(target), task.Settings, task.Geometry, task.Statistics);
+    this->Blending.Draw(task.Frame.On(target), task.Settings, task.Geometry, task.Statistics);
   if (failure && (into == Into::Layer || !failure.Undrawn.empty()))
   {
     return failure;
   }
   isBlended = true;
   task.Statistics.AddToSummary(std::to_string(blend.NumberOfProps) + " of " +
-    std::to_string(task.Plan.Frame.Props.size()) + " props blended: their order is known");
+    std::to_string(task.Frame.Props.size()) + " props blended: their order is known");
   task.Statistics.Algorithm = this->Blending.GetAlgorithmName(task.Settings);
   task.Statistics.Reason = "the order of all props is known";
   if (failure)
@@ -201,7 +240,7 @@ void vtkOITPlanRunner::Sort(const Task& task, const vtkOITFrame& frame)
 //------------------------------------------------------------------------------
 bool vtkOITPlanRunner::CompositeLayer(const Task& task, bool keepsLayer)
 {
-  if (this->Layer.Composite(task.Plan.Frame))
+  if (this->Layer.Composite(task.Frame))
   {
     return false;
   }

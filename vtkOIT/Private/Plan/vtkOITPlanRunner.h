@@ -9,11 +9,13 @@
 #include "Private/Plan/vtkOITDepthCheck.h"
 #include "Private/Plan/vtkOITSorters.h"
 
+struct vtkOITGroup;
 struct vtkOITOrder;
 struct vtkOITPlan;
 
 /**
- * Carries out the jobs of a plan:
+ * Carries out the jobs of a plan, group by group, and blends the props that cannot be sorted between
+ * them. The jobs of a group:
  *
  * 1. Reuse: the layer of the last frame over the framebuffer, where that is all.
  * 2. Choose what the others draw into: the framebuffer; a float32 layer, when it is to be kept, and
@@ -42,10 +44,10 @@ public:
   void Release();
 
 private:
-  /// A plan that is being carried out.
+  /// A group that is being drawn.
   struct Task
   {
-    const vtkOITPlan& Plan;
+    const vtkOITFrame& Frame;
     const vtkOITOrder& Order;
     const vtkOITSettings& Settings;
     vtkOITGeometry& Geometry;
@@ -59,7 +61,10 @@ private:
     Layer
   };
 
-  bool Reuse(const vtkOITPlan& plan, vtkOITStatistics& statistics);
+  void Draw(const Task& task, bool keepsLayer);
+  static bool DrawUnsorted(
+    const vtkOITGroup& group, vtkOITGeometry& geometry, const vtkOITSavedState& saved);
+  bool Reuse(const vtkOITFrame& frame, vtkOITStatistics& statistics);
   Into ChooseTarget(const Task& task, bool& keepsLayer, vtkOITTarget& target);
   bool MakeRoom(std::int64_t needed, std::int64_t forSorting, std::int64_t limit);
   vtkOITFailure Blend(const Task& task, const vtkOITTarget& target, Into into, bool& isBlended);

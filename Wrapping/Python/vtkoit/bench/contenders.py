@@ -8,6 +8,7 @@ import time
 from .. import method_option
 from ..drawn import Drawn
 from ..errors import capture
+from ..lookup import render_pass
 from ..passes import create, methods
 from ..windows import make_window
 from . import gpu
@@ -58,18 +59,16 @@ def parse(name):
 
 def make_pass(name):
     """(translucent pass for vtkRenderStepsPass, vtkOITPass or None) of a contender's name."""
-    from vtkmodules import vtkRenderingOpenGL2 as gl
-
     method, properties = parse(name)
-    blend = gl.vtkTranslucentPass()
+    blend = render_pass("vtkTranslucentPass")()
     if method in ("blend", "vtk-sort"):
         return blend, None
     if method == "vtk-weighted":
-        result = gl.vtkOrderIndependentTranslucentPass()
+        result = render_pass("vtkOrderIndependentTranslucentPass")()
     elif method == "vtk-peel":
-        result = gl.vtkDepthPeelingPass()
+        result = render_pass("vtkDepthPeelingPass")()
     elif method in ("vtk-dual", "vtk-dual-4"):
-        result = gl.vtkDualDepthPeelingPass()
+        result = render_pass("vtkDualDepthPeelingPass")()
     else:
         result = create(method, **properties)
         return result, result
@@ -85,17 +84,15 @@ class Contender:
 
     def __init__(self, name, renderer, size):
         """name: str. renderer: a vtkRenderer of its own. size: (width, height), pixels."""
-        from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkVolumetricPass
-
         self.name = name
         self.renderer = renderer
         translucent, self.oit = make_pass(name)
         self.drawn = self.oit and Drawn(parse(name)[0], self.oit)
-        self.steps = vtkRenderStepsPass()
+        self.steps = render_pass("vtkRenderStepsPass")()
         self.steps.SetTranslucentPass(translucent)
         # What can draws volumes between the layers, otherwise they are drawn over them.
         if renderer.GetVolumes().GetNumberOfItems() and hasattr(translucent, "SetVolumetricPass"):
-            translucent.SetVolumetricPass(vtkVolumetricPass())
+            translucent.SetVolumetricPass(render_pass("vtkVolumetricPass")())
             self.steps.SetVolumetricPass(None)
         self.renderer.SetPass(self.steps)
         self.window = make_window(self.renderer, size)

@@ -69,6 +69,37 @@ _TEXT = (  # heading, key, format, width
     ("a >1 %", "alpha_over1", "%.2f", 7))
 
 
+def headings():
+    """What the cells of a result are, list of str."""
+    return [title for title, _, _, _ in _TEXT]
+
+
+def cells(result):
+    """The numbers of a result that was measured, list of str."""
+    found = []
+    for title, key, form, _ in _TEXT:
+        value = result.get(key) if key else None
+        if title == "IQR":
+            cell = "%.0f%%" % (100.0 * (result["ms_high"] - result["ms_low"]) / result["ms"])
+        elif title == "MiB":
+            cell = "-" if result.get("bytes") is None else "%.0f" % (result["bytes"] / 2 ** 20)
+        elif title == "exact":
+            cell = {True: "yes", False: "no", None: "-"}[result.get("exact")]
+        else:
+            cell = "-" if value is None else form % value
+        found.append(cell)
+    return found
+
+
+def drawn_by(result):
+    """What drew a result in its method's place or by its choice, str; empty for the method itself."""
+    if result["reason"]:
+        return "drawn by %s: %s" % (result["algorithm"], result["reason"])
+    if result["method"].split(":")[0] == "auto":
+        return "drawn by %s" % result["algorithm"]
+    return ""
+
+
 def text(results):
     """A table of the results of one scene, list of str, a line each."""
     width = max(len(result["method"]) for result in results)
@@ -78,25 +109,9 @@ def text(results):
         if result.get("ms") is None:
             lines.append("  %-*s  %s" % (width, result["method"], result["reason"]))
             continue
-        cells = []
-        for title, key, form, column in _TEXT:
-            value = result.get(key) if key else None
-            if title == "IQR":
-                cell = "%.0f%%" % (100.0 * (result["ms_high"] - result["ms_low"]) / result["ms"])
-            elif title == "MiB":
-                cell = "-" if result.get("bytes") is None else "%.0f" % (result["bytes"] / 2 ** 20)
-            elif title == "exact":
-                cell = {True: "yes", False: "no", None: "-"}[result.get("exact")]
-            elif value is None:
-                cell = "-"
-            else:
-                cell = form % value
-            cells.append("%*s" % (column, cell))
-        if result["reason"]:
-            cells.append("  drawn by %s: %s" % (result["algorithm"], result["reason"]))
-        elif result["method"].split(":")[0] == "auto":
-            cells.append("  drawn by %s" % result["algorithm"])
-        lines.append("  %-*s" % (width, result["method"]) + "".join(cells))
+        row = ["%*s" % (column[3], cell) for column, cell in zip(_TEXT, cells(result))]
+        told = drawn_by(result)
+        lines.append("  %-*s" % (width, result["method"]) + "".join(row) + (told and "  " + told))
     return lines
 
 
