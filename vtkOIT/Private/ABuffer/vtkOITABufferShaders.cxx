@@ -159,6 +159,10 @@ std::string vtkOITABufferShaders::GetComposite() const
 std::string vtkOITABufferShaders::GetVolume(const std::string& mapperShader) const
 {
   vtkOITShaderText text = this->MakeStage(mapperShader.c_str());
+  if (this->FineDerivatives)
+  {
+    text.Require({ "GL_ARB_derivative_control" }); // for its GLSL, which has gl_HelperInvocation
+  }
   if (this->Samples > 0)
   {
     text.Require({ "GL_ARB_sample_shading" });

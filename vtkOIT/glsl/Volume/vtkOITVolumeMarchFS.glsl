@@ -211,6 +211,14 @@ void oitNoteTaken(ivec2 pixel, uint head, uint lastInFront)
 
 void main()
 {
+#if __VERSION__ >= 450
+  // On llvmpipe pixels that a triangle does not cover run along, and see no list: others would wait
+  // at each fragment until their rays have ended.
+  if (gl_HelperInvocation)
+  {
+    return;
+  }
+#endif
   initializeRayCast();
   ivec2 pixel = ivec2(gl_FragCoord.xy) - oitOrigin;
   uint head = imageLoad(oitHeads, pixel).x;
