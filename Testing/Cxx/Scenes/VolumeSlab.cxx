@@ -81,7 +81,7 @@ vtkVolume* AddSlab(Rig& rig, const Slab& slab)
 }
 
 //------------------------------------------------------------------------------
-std::vector<Layer> PutBetween(std::vector<Layer> layers, const std::vector<Slab>& slabs)
+std::vector<Layer> PutBetween(const std::vector<Layer>& layers, const std::vector<Slab>& slabs)
 {
   std::vector<Layer> all = layers;
   for (const Slab& slab : slabs)

@@ -52,7 +52,7 @@ vtkVolume* AddSlab(Rig& rig, const Slab& slab);
 ///@}
 
 /// The layers, and the pieces of the slabs between them. Slabs do not overlap.
-std::vector<Layer> PutBetween(std::vector<Layer> layers, const std::vector<Slab>& slabs);
+std::vector<Layer> PutBetween(const std::vector<Layer>& layers, const std::vector<Slab>& slabs);
 }
 
 #endif
