@@ -65,7 +65,7 @@ def run(arguments, progress):
     tables.write_csv(os.path.join(arguments.output, "compare.csv"), results, described)
     tables.write_json(os.path.join(arguments.output, "compare.json"), results, described, {})
     shown[1:] = sorted(shown[1:], key=lambda each: names.index(each.method))
-    page.write(_page(name, notes, results, shown, described), os.path.join(arguments.output, "report.html"))
+    page.write(_page(name, drawn.notes, results, shown, described), os.path.join(arguments.output, "report.html"))
     progress.clear()
     for note in drawn.notes:
         print(note)
