@@ -127,8 +127,8 @@ class TestUnsortedProps(unittest.TestCase):
                         self.assertTrue(chosen.GetExact())
                 self.assertEqual(captured.lines(), [])
                 picture = grab(window)
-                self.assertEqual(picture[8, 8].tolist()[:3], [255, 255, 255])
-                self.assertEqual(picture[16:, 16:].tolist(), without[16:, 16:].tolist())
+                self.assertEqual(picture[-9, 8].tolist()[:3], [255, 255, 255])
+                self.assertEqual(picture[:-16, 16:].tolist(), without[:-16, 16:].tolist())
                 window.Finalize()
 
     def draw(self, make_prop, layers, is_sorted, method, from_behind):

@@ -5,18 +5,44 @@
 // make their chain of passes where nobody else gets at it. What vtkOIT itself makes, and what is to
 // be VTK's, is made by VTK.
 //
-// It is loaded into every program that the application starts, so it is linked to nothing.
+// It is loaded into every program that the application starts, so it is linked to nothing. VTK's own
+// headers of these classes bring objects along that need its libraries (vtkSetGet.h of VTK 9.6 does).
 
 #include "vtkOITRunningVTK.h"
 
-#include "vtkDepthPeelingPass.h"
-#include "vtkDualDepthPeelingPass.h"
-#include "vtkOrderIndependentTranslucentPass.h"
-#include "vtkTranslucentPass.h"
+#if __has_include("vtkABINamespace.h") // VTK 9.2 and later
+#include "vtkABINamespace.h"
+#else
+#define VTK_ABI_NAMESPACE_BEGIN
+#define VTK_ABI_NAMESPACE_END
+#endif
 
 #include <dlfcn.h>
 
 #include <cstdlib>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDepthPeelingPass
+{
+public:
+  static vtkDepthPeelingPass* New();
+};
+class vtkDualDepthPeelingPass
+{
+public:
+  static vtkDualDepthPeelingPass* New();
+};
+class vtkOrderIndependentTranslucentPass
+{
+public:
+  static vtkOrderIndependentTranslucentPass* New();
+};
+class vtkTranslucentPass
+{
+public:
+  static vtkTranslucentPass* New();
+};
+VTK_ABI_NAMESPACE_END
 
 namespace
 {
