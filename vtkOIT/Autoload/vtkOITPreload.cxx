@@ -22,22 +22,22 @@
 #include <cstdlib>
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkDepthPeelingPass
+class __attribute__((visibility("default"))) vtkDepthPeelingPass
 {
 public:
   static vtkDepthPeelingPass* New();
 };
-class vtkDualDepthPeelingPass
+class __attribute__((visibility("default"))) vtkDualDepthPeelingPass
 {
 public:
   static vtkDualDepthPeelingPass* New();
 };
-class vtkOrderIndependentTranslucentPass
+class __attribute__((visibility("default"))) vtkOrderIndependentTranslucentPass
 {
 public:
   static vtkOrderIndependentTranslucentPass* New();
 };
-class vtkTranslucentPass
+class __attribute__((visibility("default"))) vtkTranslucentPass
 {
 public:
   static vtkTranslucentPass* New();
