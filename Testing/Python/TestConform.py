@@ -72,8 +72,9 @@ class TestScenes(unittest.TestCase):
     def test_are_those_of_the_documentation(self):
         with open(os.path.join(ROOT, "docs", "stress-tests.md"), encoding="utf-8") as file:
             rows = re.findall(r"^\| (\d+) \| ([^|]*) \| ([^|]*) \|", file.read(), re.MULTILINE)
-        self.assertEqual(len(rows), 36)
-        left_out = {15, 29, 30, 34} | {16, 17, 18, 19, 33}
+        self.assertEqual(len(rows), 38)
+        # The last two are of properties and props that no pass of VTK knows an order for.
+        left_out = {15, 29, 30, 34} | {16, 17, 18, 19, 33} | {37, 38}
         self.assertEqual(set(SCENES), {int(number) for number, _, _ in rows} - left_out)
         for number, title, tests in rows:
             if int(number) in SCENES:

@@ -153,7 +153,7 @@ class TestProperties(unittest.TestCase):
         self.assertIn(text, str(caught.exception))
 
     def test_refusals(self):
-        self.refused("no property 'Fragments'; it has: FragmentPrecision, MaximumBufferSize",
+        self.refused("no property 'Fragments'; it has: CoincidentLayers, FragmentPrecision, MaximumBufferSize",
                      Fragments=3)
         self.refused("give one of float, half", FragmentPrecision="double")
         self.refused("give HALF or FLOAT", FragmentPrecision=7)

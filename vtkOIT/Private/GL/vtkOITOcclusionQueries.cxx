@@ -3,6 +3,7 @@
 #include "Private/GL/vtkOITOcclusionQueries.h"
 
 #include "Private/Frame/vtkOITGetInteger.h"
+#include "Private/GL/vtkOITAllocation.h"
 
 //------------------------------------------------------------------------------
 bool vtkOITOcclusionQueries::CanCount()
@@ -33,6 +34,12 @@ void vtkOITOcclusionQueries::Begin(std::size_t number)
       glGenQueries(static_cast<GLsizei>(number + 1 - known), this->Names.data() + known);
     }
     glBeginQuery(GL_SAMPLES_PASSED, this->Names[number]);
+    // A query that has not begun counts nothing and must not end. The error is ours: VTK would print it.
+    if (vtkOITAllocation::TakeErrors())
+    {
+      this->Failed = true;
+      this->Counts = false;
+    }
   }
 }
 
@@ -67,8 +74,13 @@ std::int64_t vtkOITOcclusionQueries::GetResult(std::size_t number) const
   constexpr GLuint none = ~0u; // OpenGL leaves the value alone when it fails
   GLuint samples = none;
   glGetQueryObjectuiv(this->Names[number], GL_QUERY_RESULT, &samples);
-  this->Failed = this->Failed || samples == none;
-  return samples == none ? -1 : static_cast<std::int64_t>(samples);
+  if (samples == none)
+  {
+    this->Failed = true;
+    vtkOITAllocation::TakeErrors();
+    return -1;
+  }
+  return static_cast<std::int64_t>(samples);
 }
 
 //------------------------------------------------------------------------------
