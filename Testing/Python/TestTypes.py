@@ -65,9 +65,11 @@ class TestTypes(Support.FolderTest):
         with open(self.path("mypy.ini"), "w", encoding="utf-8") as file:
             file.write("[mypy]\nignore_missing_imports = True\n")
         done = self.check("stubtest", "--ignore-missing-stub", "--concise", "--mypy-config-file", "mypy.ini", "vtkoit")
-        # Static methods of VTK's wrappers are functions of C; submodules without a stub are their own.
+        # Static methods of VTK's wrappers are functions of C; submodules without a stub are their own. What is
+        # for PyVista is imported where that is.
+        allowed = re.compile("stub is a staticmethod but|No module named 'pyvista'")
         found = [line for line in done.stdout.splitlines()
-                 if re.match(r"vtkoit\.(\w+|vtkOIT\w*\..*) ", line) and "stub is a staticmethod but" not in line]
+                 if re.match(r"vtkoit\.(\w+|vtkOIT\w*\..*) ", line) and not allowed.search(line)]
         self.assertEqual(found, [])
         self.assertIn("vtkoit.vtkOIT.vtkOITPass.IsTypeOf is inconsistent", done.stdout)  # it has looked
         with open(os.path.join(Support.PACKAGE, "__init__.pyi"), encoding="utf-8") as file:

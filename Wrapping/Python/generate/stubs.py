@@ -7,6 +7,7 @@ VTK's wrappers have the signatures in the documentation of each method: one line
 """
 
 import importlib
+import inspect
 import re
 import sys
 
@@ -81,6 +82,8 @@ def lines_of(cls, used):
             continue
         if isinstance(member, type):
             body += ["    @final", "    class %s(int): ..." % name]
+        elif inspect.isdatadescriptor(member):  # properties, from VTK 9.4 on
+            body.append("    %s: Any" % name)
         elif isinstance(member, int):
             kind = type(member).__name__
             body.append("    %s: %s" % (name, kind if kind in vars(cls) else "int"))
