@@ -37,7 +37,7 @@ build/bin/vtkoit info 2>/dev/null | grep -q '^renderer *zink' ||
 # What depends on framebuffer fetch, interlock, blending or depth formats:
 #   colours and depths of fragments, coincident ones, framebuffers of other formats; opaque geometry
 #   that hides fragments; state of OpenGL left as it was; layers that are kept and reused; samples.
-tests='FragmentColors|FragmentDepth|CoincidentLayers|LastOnTop|Light|OffscreenFormats|OpaqueOcclusion|GLState'
+tests='FragmentColors|FragmentDepth|CoincidentLayers|OffscreenFormats|OpaqueOcclusion|GLState'
 tests="$tests|Impostors|Multisampling|Skipping|PeelingStatistics|PeelingEnds|CrossingQuads"
 methods='auto|abuffer|peel|dual|multilayer|bucket'
 [ $# -gt 0 ] || set -- -R "Cxx-Test($tests)-($methods)\$|TestAutoPassReuse|TestAutoPassChoice"
