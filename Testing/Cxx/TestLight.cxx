@@ -8,15 +8,13 @@
 
 #include "Oracle/ReferenceCompositor.h"
 #include "Rig/Rig.h"
+#include "Scenes/Light.h"
 #include "Scenes/Random.h"
 
 #include "vtkActor.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPointGaussianMapper.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderWindow.h"
@@ -42,32 +40,6 @@ struct Part
   bool IsLight = false;
 };
 using Parts = std::vector<Part>;
-
-/// Emissive Gaussians at the points: splats of this radius in pixels, or with a radius of 0 one large
-/// point each that covers the picture evenly.
-vtkActor* AddLight(
-  Rig& rig, const std::vector<glm::dvec3>& at, const glm::vec4& color, double radius)
-{
-  vtkNew<vtkPoints> points;
-  for (const glm::dvec3& point : at)
-  {
-    points->InsertNextPoint(point.x, point.y, point.z);
-  }
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(points);
-  vtkNew<vtkPointGaussianMapper> mapper;
-  mapper->SetInputData(data);
-  mapper->SetScaleFactor(radius * 2.0 / Width);
-  mapper->EmissiveOn();
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(color.r, color.g, color.b);
-  actor->GetProperty()->SetOpacity(color.a);
-  actor->GetProperty()->SetPointSize(60.0);
-  actor->ForceTranslucentOn(); // VTK draws it with the opaque geometry where its opacity is 1
-  rig.Renderer->AddActor(actor);
-  return actor;
-}
 
 glm::dvec3 FindCenter(const Rig& rig, float depth)
 {

@@ -34,11 +34,6 @@ using namespace vtkOITTest;
 
 namespace
 {
-constexpr Tolerance OfSamples = { 2e-4, 2e-4 };
-
-const glm::vec4 Red(1.0f, 0.0f, 0.0f, 0.5f);
-const glm::vec4 Green(0.0f, 1.0f, 0.0f, 0.4f);
-const glm::vec4 Blue(0.0f, 0.0f, 1.0f, 0.3f);
 const std::vector<Layer> Quads{ { 0.1f, Red }, { 0.41f, Green }, { 0.55f, Blue }, { 0.9f, Red } };
 
 /// What lies along the ray of a mode; and how far off the mode itself may be.

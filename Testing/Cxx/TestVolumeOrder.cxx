@@ -26,12 +26,6 @@ using namespace vtkOITTest;
 
 namespace
 {
-constexpr Tolerance OfSamples = { 2e-4, 2e-4 };
-
-const glm::vec4 Red(1.0f, 0.0f, 0.0f, 0.5f);
-const glm::vec4 Green(0.0f, 1.0f, 0.0f, 0.4f);
-const glm::vec4 Blue(0.0f, 0.0f, 1.0f, 0.3f);
-
 Slab MakeThin(float nearest, float farthest, const glm::vec3& color)
 {
   Slab slab;

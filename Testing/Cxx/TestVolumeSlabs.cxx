@@ -9,6 +9,7 @@
 #include "Oracle/ReferenceCompositor.h"
 #include "Rig/LineCatcher.h"
 #include "Rig/Rig.h"
+#include "Scenes/Light.h"
 #include "Scenes/VolumeSlab.h"
 
 #include "vtkActor.h"
@@ -20,19 +21,13 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 using namespace vtkOITTest;
 
 namespace
 {
-/// Of 40 float32 samples and their opacity tables, beside the rounding of fragments.
-constexpr Tolerance OfSamples = { 2e-4, 2e-4 };
-
-const glm::vec4 Red(1.0f, 0.0f, 0.0f, 0.5f);
-const glm::vec4 Green(0.0f, 1.0f, 0.0f, 0.4f);
-const glm::vec4 Blue(0.0f, 0.0f, 1.0f, 0.3f);
-
 struct Case
 {
   std::string What;
@@ -166,6 +161,30 @@ void CheckOpaque(Report& report, const Setup& setup)
       OfSamples + ofLast);
 }
 
+/// Light adds up to any colour, so the threshold of the transmittance leaves none out.
+void CheckLight(Report& report, const Setup& setup)
+{
+  const std::vector<Layer> layers{ { 0.1f, { 1.0f, 0.0f, 0.0f, 0.99f } },
+    { 0.2f, { 0.0f, 1.0f, 0.0f, 0.9f } } };
+  const float depth = 0.5f;
+  Slab slab;
+  slab.Opacity = 0.1f;
+  Rig rig(setup, 20, 12);
+  rig.Pass->SetTransmittanceThreshold(1.0 / 512.0);
+  rig.AddStack(layers);
+  AddLight(rig, { rig.ToWorld(10.0, 6.0, depth) }, { 1.0f, 1.0f, 1.0f, 1.0f }, 0.0);
+  AddSlab(rig, slab);
+  const std::vector<Layer> all = PutBetween(layers, { slab });
+  const double inFront = std::pow(1.0 - slab.Opacity, 2.0 * (depth - slab.Nearest));
+  const double light = (1.0 - 0.99) * (1.0 - 0.9) * inFront;
+  const glm::dvec4 answer =
+    ReferenceCompositor::Composite(all, rig.GetBackground()) + glm::dvec4(light, light, light, 0.0);
+  report.Compare("light behind the threshold", rig.Render(), Everywhere(answer),
+    ReferenceCompositor::RoundingBound(all, rig.GetBackground(), setup.FragmentStorage) +
+      OfSamples);
+  report.Check(rig.Pass->GetExact(), "light behind the threshold: not exact");
+}
+
 /// A window of samples, as windows have them.
 void CheckMultisampling(Report& report, const Setup& setup)
 {
@@ -209,6 +228,7 @@ int TestVolumeSlabs(int argc, char* argv[])
       CheckSampleDistances(report, setup);
       CheckPartlyCovered(report, setup);
       CheckOpaque(report, setup);
+      CheckLight(report, setup);
       CheckBands(report, setup);
       if (setup.UseMode == Use::Installed)
       {

@@ -13,6 +13,7 @@
 #include "Rig/Rig.h"
 
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include <vector>
 
@@ -21,6 +22,17 @@ class vtkVolume;
 
 namespace vtkOITTest
 {
+/// How far a picture may be off: of 40 float32 samples and their opacity tables, beside the rounding of
+/// fragments.
+constexpr Tolerance OfSamples = { 2e-4, 2e-4 };
+
+/// Colours and opacities of quads.
+///@{
+const glm::vec4 Red(1.0f, 0.0f, 0.0f, 0.5f);
+const glm::vec4 Green(0.0f, 1.0f, 0.0f, 0.4f);
+const glm::vec4 Blue(0.0f, 0.0f, 1.0f, 0.3f);
+///@}
+
 struct Slab
 {
   float Nearest = 0.3f; // window depths

@@ -29,6 +29,13 @@ std::int64_t GetBytesOfHeadsInTarget(const vtkOITFrame& frame)
   return INT64_C(4) * (r.X + r.Width) * (r.Y + r.Height);
 }
 
+/// Behind which transmittance layers may be left out. What adds light adds up to any colour, so it is
+/// not bounded by the transmittance in front of it.
+float FindThreshold(const vtkOITFrame& frame, const vtkOITSettings& settings)
+{
+  return frame.HasLight ? 0.0f : static_cast<float>(settings.TransmittanceThreshold);
+}
+
 /// A depth buffer that tests of a framebuffer of our own can go against.
 bool HasOwnDepth(const vtkOITTarget& target)
 {
@@ -145,9 +152,7 @@ vtkOITFailure vtkOITABufferEngine::Draw(const vtkOITFrame& frame, const vtkOITSe
     }
   }
   this->NumberOfFragments = 0;
-  // What adds light adds up to any colour, so it is not bounded by the transmittance in front of it.
-  this->Resolver.SetThreshold(
-    frame.HasLight ? 0.0f : static_cast<float>(settings.TransmittanceThreshold));
+  this->Resolver.SetThreshold(FindThreshold(frame, settings));
   this->Gather.SetUniforms([this, &task](vtkShaderProgram* program, vtkProp* prop)
     { this->SetUniforms(task, program, prop); });
   this->ChooseCapture(task);
@@ -293,8 +298,7 @@ vtkOITFailure vtkOITABufferEngine::Resolve(
     drawVolumes = [&]
     {
       areDrawn = true;
-      this->Volumes.Draw(
-        task.Frame, this->Store, static_cast<float>(task.Settings.TransmittanceThreshold));
+      this->Volumes.Draw(task.Frame, this->Store, FindThreshold(task.Frame, task.Settings));
     };
   }
   vtkOITFailure failure =
