@@ -34,9 +34,10 @@ public:
   {
     this->Pass->SetNotAsked();
     this->Record->Begin(state->GetRenderer()->GetClassName(), {});
-    this->Pass->Render(state);
+    // Volumes that an application leaves to its dual depth peeling.
+    auto* dual = vtkDualDepthPeelingPass::SafeDownCast(this);
+    this->Pass->RenderWithVolumes(state, dual ? dual->GetVolumetricPass() : nullptr);
     this->NumberOfRenderedProps = this->Pass->GetNumberOfRenderedProps();
-    this->RenderVolumes(state);
     this->Record->End({ this->Pass->GetAlgorithmName(), this->Pass->GetExact(),
       this->Pass->GetNumberOfGeometryPasses(), this->Pass->GetNumberOfFragments(),
       this->Pass->GetMaximumDepthComplexity() });
@@ -50,18 +51,6 @@ public:
 
   vtkSmartPointer<vtkOITPass> Pass;
   std::shared_ptr<vtkOITHookRecord> Record;
-
-private:
-  /// Volumes that an application leaves to its dual depth peeling are composited over the rest.
-  void RenderVolumes(const vtkRenderState* state)
-  {
-    auto* dual = vtkDualDepthPeelingPass::SafeDownCast(this);
-    if (vtkRenderPass* volumes = dual ? dual->GetVolumetricPass() : nullptr)
-    {
-      volumes->Render(state);
-      this->NumberOfRenderedProps += volumes->GetNumberOfRenderedProps();
-    }
-  }
 };
 
 template <typename BaseClass>
