@@ -227,7 +227,9 @@ void vtkOITPass::Internals::Draw(vtkOITPass* pass, const vtkRenderState* state,
       volumes.DrawBefore();
       saved.SetNeutral();
     }
-    vtkOITPlan plan = pass->MakePlan(frame, settings);
+    // Nothing is skipped, kept or found of a frame that is nowhere on the screen.
+    vtkOITPlan plan = frame.Rectangle.IsEmpty() ? pass->vtkOITPass::MakePlan(frame, settings)
+                                                : pass->MakePlan(frame, settings);
     plan.Unsorted = unsorted;
     this->Runner.Run(plan, settings, delegate, saved, this->Statistics);
     const std::string doubt = order.FindDoubt(volumes.CanDraw());

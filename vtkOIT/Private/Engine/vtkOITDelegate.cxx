@@ -11,24 +11,6 @@
 #include "vtkRenderPass.h"
 #include "vtkRenderState.h"
 
-#include <algorithm>
-#include <iterator>
-
-namespace
-{
-/// The visible props of the state, with its required keys, of this kind.
-template <typename Predicate>
-std::vector<vtkProp*> FindDrawn(const vtkRenderState* state, Predicate isOfKind)
-{
-  vtkProp** first = state->GetPropArray();
-  std::vector<vtkProp*> props;
-  std::copy_if(first, first + state->GetPropArrayCount(), std::back_inserter(props),
-    [&](vtkProp* prop)
-    { return prop->GetVisibility() && isOfKind(prop) && prop->HasKeys(state->GetRequiredKeys()); });
-  return props;
-}
-}
-
 //------------------------------------------------------------------------------
 vtkOITFailure vtkOITDelegate::Draw(const std::vector<vtkProp*>& props, vtkOITGather& gather)
 {
@@ -84,14 +66,14 @@ bool vtkOITDelegate::Note(const std::vector<vtkProp*>& props)
 //------------------------------------------------------------------------------
 std::vector<vtkProp*> vtkOITFindTranslucentProps(const vtkRenderState* state)
 {
-  return FindDrawn(
+  return vtkOITFindDrawnProps(
     state, [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; });
 }
 
 //------------------------------------------------------------------------------
 std::vector<vtkProp*> vtkOITFindDenyingProps(const vtkRenderState* state)
 {
-  return FindDrawn(state,
+  return vtkOITFindDrawnProps(state,
     [](vtkProp* prop)
     { return !vtkOITIsSimpleActor(prop) && !prop->HasTranslucentPolygonalGeometry(); });
 }

@@ -3,12 +3,25 @@
 #ifndef vtkOITPartState_h
 #define vtkOITPartState_h
 
+#include "vtkProp.h"
 #include "vtkRenderState.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
-class vtkProp;
+/// The visible props of the state, with its required keys, of this kind.
+template <typename Predicate>
+std::vector<vtkProp*> vtkOITFindDrawnProps(const vtkRenderState* state, Predicate isOfKind)
+{
+  vtkProp** first = state->GetPropArray();
+  std::vector<vtkProp*> props;
+  std::copy_if(first, first + state->GetPropArrayCount(), std::back_inserter(props),
+    [&](vtkProp* prop)
+    { return prop->GetVisibility() && isOfKind(prop) && prop->HasKeys(state->GetRequiredKeys()); });
+  return props;
+}
 
 /// The state that a pass was given, with other props.
 class vtkOITPartState

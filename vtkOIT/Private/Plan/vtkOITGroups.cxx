@@ -50,7 +50,10 @@ std::vector<vtkOITGroup> vtkOITFindGroups(
 {
   if (unsorted.empty() || frame.Volumes)
   {
-    return { { frame, unsorted } };
+    std::vector<vtkOITGroup> whole(1);
+    whole.front().Frame = frame;
+    whole.front().Unsorted = unsorted;
+    return whole;
   }
   const glm::dmat4 projection = vtkOITFindProjection(frame.Renderer);
   std::vector<PlacedProp> placed;

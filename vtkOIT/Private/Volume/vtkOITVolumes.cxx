@@ -36,11 +36,15 @@ struct SmartMapper : public vtkSmartVolumeMapper
   }
 };
 
-std::vector<vtkVolume*> GetVolumes(vtkProp* prop)
+/// `collection`: an empty one, and empty again afterwards.
+std::vector<vtkVolume*> GetVolumes(vtkProp* prop, vtkPropCollection* collection)
 {
-  vtkNew<vtkPropCollection> collection;
-  prop->GetVolumes(collection);
   std::vector<vtkVolume*> volumes;
+  prop->GetVolumes(collection);
+  if (collection->GetNumberOfItems() == 0)
+  {
+    return volumes;
+  }
   vtkCollectionSimpleIterator it;
   collection->InitTraversal(it);
   while (vtkProp* part = collection->GetNextProp(it))
@@ -51,7 +55,13 @@ std::vector<vtkVolume*> GetVolumes(vtkProp* prop)
       volumes.push_back(volume);
     }
   }
+  collection->RemoveAllItems();
   return volumes;
+}
+
+std::vector<vtkVolume*> GetVolumes(vtkProp* prop)
+{
+  return GetVolumes(prop, vtkNew<vtkPropCollection>());
 }
 
 /// The mapper for GPUs that draws the volume, or nullptr.
@@ -78,9 +88,9 @@ bool IsDrawnByGPU(vtkVolume* volume)
 }
 
 /// Volumes that mappers draw into pictures of their own are not.
-bool HasVolumesOnScreen(vtkProp* prop)
+bool HasVolumesOnScreen(vtkProp* prop, vtkPropCollection* collection)
 {
-  const std::vector<vtkVolume*> volumes = GetVolumes(prop);
+  const std::vector<vtkVolume*> volumes = GetVolumes(prop, collection);
   return std::any_of(volumes.begin(), volumes.end(),
     [](vtkVolume* volume)
     {
@@ -125,13 +135,10 @@ vtkOITVolumes::vtkOITVolumes(vtkRenderPass* pass, const vtkRenderState* state)
   : Pass(pass)
   , State(state)
 {
-  vtkProp** first = state->GetPropArray();
-  std::copy_if(first, first + state->GetPropArrayCount(), std::back_inserter(this->All),
-    [&](vtkProp* prop)
-    {
-      return prop->GetVisibility() && prop->HasKeys(state->GetRequiredKeys()) &&
-        HasVolumesOnScreen(prop);
-    });
+  // Most frames have many props, and no volumes: one collection for all of them.
+  vtkNew<vtkPropCollection> collection;
+  this->All = vtkOITFindDrawnProps(
+    state, [&](vtkProp* prop) { return HasVolumesOnScreen(prop, collection); });
   this->After = this->All;
 }
 
