@@ -10,6 +10,7 @@ import itertools
 import unittest
 
 import numpy
+import Support
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import (
     vtkImageData,
@@ -20,13 +21,7 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersModeling import vtkOutlineFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkColorTransferFunction,
-    vtkPolyDataMapper,
-    vtkRenderer,
-    vtkVolume,
-)
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkRenderer, vtkVolume
 from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkOpenGLGPUVolumeRayCastMapper
 from VolumeScene import VTK_DUAL, install
 from vtkoit import picture
@@ -92,14 +87,7 @@ class Scene:
         return self.add(outline, (1, 1, 1), 1.0)
 
     def add(self, source, color, opacity):
-        mapper = vtkPolyDataMapper()
-        mapper.SetInputConnection(source.GetOutputPort())
-        actor = vtkActor()
-        actor.SetMapper(mapper)
-        actor.GetProperty().SetColor(*color)
-        actor.GetProperty().SetOpacity(opacity)
-        self.renderer.AddActor(actor)
-        return actor
+        return Support.add_actor(self.renderer, source, color, opacity)
 
     def look(self, azimuth=-55.0, elevation=35.0, zoom=1.0):
         self.renderer.ResetCamera()

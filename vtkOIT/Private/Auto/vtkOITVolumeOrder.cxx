@@ -175,14 +175,12 @@ std::string vtkOITVolumeOrder::FindDoubt(bool isDrawn) const
       ? ""
       : "A volume is drawn over the translucent props that it overlaps; call "
         "UseDepthPeelingForVolumesOn() of the renderer, or in a chain of passes "
-        "SetVolumetricPass() "
-        "of this one";
+        "SetVolumetricPass() of this one";
   }
   if (this->HasUnhooked)
   {
     return "A volume whose mapper has no shader for rays is drawn over the translucent props that "
-           "it "
-           "overlaps; use a mapper for GPUs, e.g. vtkGPUVolumeRayCastMapper";
+           "it overlaps; use a mapper for GPUs, e.g. vtkGPUVolumeRayCastMapper";
   }
   return this->HasUnknownOrder ? "Volumes overlap each other, so their order is not known; use a "
                                  "vtkMultiVolume"

@@ -38,17 +38,16 @@ public:
 
   /// Whether it draws the frame's volumes between the props, too.
   virtual bool MixesVolumes() const { return false; }
+  /// Whether props that add light get their place among the others (vtkOITFrame::HasLight).
+  virtual bool SortsLight() const { return false; }
+  /// Whether it approximates, so that nobody wants another method in its place.
+  virtual bool IsPreview() const { return false; }
 
   /// Draws the props inside of the frame's rectangle over its target, and adds to the statistics.
   /// Changes the state that vtkOITSavedState restores. When it fails, it has drawn nothing where
   /// the failure says so, and everything elsewhere.
   virtual vtkOITFailure Draw(const vtkOITFrame& frame, const vtkOITSettings& settings,
     vtkOITGeometry& geometry, vtkOITStatistics& statistics) = 0;
-
-  /// Whether props that add light get their place among the others (vtkOITFrame::HasLight).
-  virtual bool SortsLight() const { return false; }
-  /// Whether it approximates, so that nobody wants another method in its place.
-  virtual bool IsPreview() const { return false; }
 
   /// What it holds on the context.
   virtual std::int64_t GetSizeInBytes() const = 0;

@@ -12,8 +12,8 @@
 /// A numbered row of occlusion queries, which count the samples that pass between Begin and End.
 /// Where the context does not count, or the application counts itself around the frame, nothing is
 /// counted and nobody may rely on a result. That is found out once for a row: asking OpenGL for
-/// every one of many props would wait for the driver. So is a query that fails: the names of a row are new, and
-/// one that was never begun has no result.
+/// every one of many props would wait for the driver. Errors are asked for at each query, as VTK 9.6
+/// does at each change of the state. The names of a row are new, so a query that was never begun has no result.
 class vtkOITOcclusionQueries : public vtkOITContextObjects
 {
 public:

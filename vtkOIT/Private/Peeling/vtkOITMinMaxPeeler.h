@@ -11,10 +11,11 @@
  * (Everitt 2001), two-sided the nearest and the farthest (Bavoil and Myers 2008), where shaders
  * cannot read the framebuffer; where they can, vtkOITDualPeeler does it better.
  *
- * Coincident fragments are blended as a group, also in the order of drawing. Where shaders can read the framebuffer, they sum up
- * in place. Otherwise sums are added by blending, depths are kept as the maximum, one way of
- * blending for colours, another for alpha, so no GL beyond 3.2 is needed but for that order. Floats throughout: half
- * floats for the sums were not faster on llvmpipe, separate buffers for depths neither.
+ * Coincident fragments are blended as a group, also in the order of drawing. Where shaders can read
+ * the framebuffer, they sum up in place. Otherwise sums are added by blending, depths are kept as
+ * the maximum, one way of blending for colours, another for alpha, so no GL beyond 3.2 is needed but
+ * for that order. Floats throughout: half floats for the sums were not faster on llvmpipe, separate
+ * buffers for depths neither.
  */
 class vtkOITMinMaxPeeler : public vtkOITPeeler
 {
