@@ -14,7 +14,7 @@ HOW = """All draw into a window of 8 bits a channel, over a background of alpha 
 samples. A comparison is wrong when a channel of some pixel is off by more than the test allows and three steps of 255 on top, so that
 rounding alone is not called wrong. Cells give the largest error of a colour channel and of alpha, in [0, 1], and how many of the
 comparisons are wrong. Coincident faces of different colours may be in any order here. Left out are float framebuffers and what needs
-them (16 to 19, 33), and rules and properties of vtkOIT's own (15, 29, 30, 34)."""
+them (16 to 19, 33), and rules and properties of vtkOIT's own (15, 29, 30, 34, 37, 38)."""
 
 _HEAD = """# What VTK's own passes get wrong
 
