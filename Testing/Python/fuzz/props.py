@@ -174,6 +174,10 @@ class Mesh(Prop):
         return [parts.GetItemAsObject(i) for i in range(parts.GetNumberOfItems())]
 
     def set_texture(self, prop, in_place=False):
+        """Marks the properties as modified: VTK's mappers do not see that a texture has gone, and go on
+        with the shader that samples it."""
+        for actor in [self.actor, *self.parts()]:
+            actor.GetProperty().Modified()
         texture = prop["texture"]
         if not texture or prop["kind"] in ("glyphs", "impostors", "gaussians"):
             for actor in [self.actor, *self.parts()]:
