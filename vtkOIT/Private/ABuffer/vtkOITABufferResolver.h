@@ -100,8 +100,10 @@ private:
   std::array<vtkOITScreenStage, vtkOITABufferShaders::NetworkSizes.size()> ResolveStages;
   vtkOITScreenStage WalkStage;
   std::array<std::int64_t, Classes> Walked{}; // tiles of each class that Walk has drawn
-  const bool CompilesAtOnce;
+  bool CompilesAtOnce = false;
   vtkOITScreenStage SecondChanceStage;
+  std::int64_t SortedTiles = 0; // with lists that networks left
+  vtkOITScreenStage QuickSortStage;
   vtkOITScreenStage SortStage;
   /// The same for tiles with short lists only, with less to do.
   static constexpr std::array<int, 2> ShortLists = { 4, 8 };
