@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <limits>
 
 namespace
@@ -58,7 +57,7 @@ const std::string& GetTileVertexShader()
 vtkOITABufferResolver::vtkOITABufferResolver()
 {
   const char* networks = std::getenv("VTKOIT_NETWORKS");
-  this->CompilesAtOnce = networks && std::strcmp(networks, "1") == 0;
+  this->CompilesAtOnce = networks && *networks == '1';
 }
 
 //------------------------------------------------------------------------------
@@ -126,7 +125,6 @@ vtkOITFailure vtkOITABufferResolver::Resolve(const vtkOITFrame& frame, vtkOITFra
 }
 
 //------------------------------------------------------------------------------
-// The pixels that the networks have left.
 vtkOITFailure vtkOITABufferResolver::DrawWhatIsLeft(
   const vtkOITFrame& frame, vtkOITFragmentStore& store, vtkOITFragmentStore::Counters& counters)
 {
@@ -137,7 +135,8 @@ vtkOITFailure vtkOITABufferResolver::DrawWhatIsLeft(
     glMemoryBarrier(Barriers);
     const bool hasNetwork = this->SecondChanceStage.IsPrepared();
     failure = this->DrawTiles(hasNetwork ? this->SecondChanceStage : this->WalkStage, frame, store,
-      TilesToTryAgain, [this, hasNetwork]
+      TilesToTryAgain,
+      [this, hasNetwork]
       { return hasNetwork ? this->Shaders.GetSecondChance() : this->Shaders.GetWalk(); });
     counters = store.ReadCounters();
   }
@@ -201,8 +200,7 @@ bool vtkOITABufferResolver::Earns(std::size_t tileClass, std::int64_t tiles, boo
     return true;
   }
   this->Walked[tileClass] += tiles;
-  const bool earns =
-    this->CompilesAtOnce || (isFree && this->Walked[tileClass] > TilesToCompile);
+  const bool earns = this->CompilesAtOnce || (isFree && this->Walked[tileClass] > TilesToCompile);
   isFree = isFree && !earns;
   return earns;
 }
@@ -226,9 +224,10 @@ std::vector<vtkOITABufferResolver::TileDraw> vtkOITABufferResolver::FindDraws(
     vtkOITScreenStage& stage = this->GetStage(i);
     if (tiles[i] > 0 && this->Earns(i, tiles[i], isFree))
     {
-      draws.push_back({ &stage, { smallest, largest },
-        [this, i, size] { return i < LongLists ? this->Shaders.GetResolve(size)
-                                               : this->Shaders.GetSecondChance(); } });
+      draws.push_back({ &stage, { smallest, largest }, [this, i, size] {
+                         return i < LongLists ? this->Shaders.GetResolve(size)
+                                              : this->Shaders.GetSecondChance();
+                       } });
     }
     else if (tiles[i] > 0 && !draws.empty() && draws.back().Stage == &this->WalkStage)
     {
@@ -276,7 +275,8 @@ vtkOITFailure vtkOITABufferResolver::SortLists(const vtkOITFrame& frame,
 {
   const std::uint32_t longest = *std::max_element(counters.Tiles.begin(), counters.Tiles.end());
   glMemoryBarrier(Barriers);
-  this->SortedTiles += tileClass == AllTiles ? store.GetTileGrid().GetNumberOfTiles() : counters.MarkedTiles;
+  this->SortedTiles +=
+    tileClass == AllTiles ? store.GetTileGrid().GetNumberOfTiles() : counters.MarkedTiles;
   vtkOpenGLState* state = frame.GLState;
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE); // Sort has no output
   vtkOITFailure failure;

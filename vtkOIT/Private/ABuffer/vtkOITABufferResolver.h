@@ -76,6 +76,7 @@ private:
   std::vector<TileDraw> FindDraws(const std::vector<std::uint32_t>& expected);
   vtkOITFailure DrawExpected(
     const vtkOITFrame& frame, const vtkOITFragmentStore& store, const std::vector<TileDraw>& draws);
+  /// The pixels that networks have left.
   vtkOITFailure DrawWhatIsLeft(
     const vtkOITFrame& frame, vtkOITFragmentStore& store, vtkOITFragmentStore::Counters& counters);
   vtkOITFailure SortLists(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
