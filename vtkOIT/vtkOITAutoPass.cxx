@@ -104,10 +104,6 @@ vtkOITSettings vtkOITAutoPass::MakeSettings(const vtkOITCapabilities& capabiliti
 //------------------------------------------------------------------------------
 vtkOITPlan vtkOITAutoPass::MakePlan(const vtkOITFrame& frame, const vtkOITSettings& settings)
 {
-  if (frame.Volumes)
-  {
-    return this->Superclass::MakePlan(frame, settings); // all is sorted
-  }
   // It is not known what other delegates draw.
   const bool isKnown = this->TranslucentPass->GetClassName() == std::string("vtkTranslucentPass");
   return this->Impl->Planner.MakePlan(frame, settings, isKnown);
