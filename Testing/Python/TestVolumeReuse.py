@@ -23,7 +23,7 @@ from TestVolumeFeatures import (
 from VolumeMarcher import Square
 from VolumeScene import actor_of, place
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkRenderingCore import vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkRenderer
 from vtkoit import picture
 from vtkoit.windows import make_window
 
@@ -72,6 +72,13 @@ def _edit_table(scene):
     image.Modified()
 
 
+def _color_a_label(scene):
+    """Another function: VTK's mapper does not see changes of the one that it has."""
+    blue = vtkColorTransferFunction()
+    blue.AddRGBPoint(0, 0, 0, 1)
+    scene.volume.GetProperty().SetLabelColor(2, blue)
+
+
 def plain(_volume):
     pass
 
@@ -92,7 +99,7 @@ CHANGES = {
     "cropping": (cropped_to_a_part, lambda s: s.volume.GetMapper().SetCroppingRegionFlagsToCross()),
     "clipping plane": (clipped, lambda s: s.volume.GetMapper().GetClippingPlanes().GetItem(0).SetOrigin(-0.4, 0, 0)),
     "mask": (binary_mask, _move_mask),
-    "label": (label_mask, lambda s: s.volume.GetProperty().GetLabelColor(2).AddRGBPoint(0, 0, 0, 1)),
+    "label": (label_mask, _color_a_label),
     "2-D function": (transfer_function_2d, _edit_table),
     "place": (plain, lambda s: s.volume.SetPosition(0.2, 0.1, 0)),
     "visibility": (plain, lambda s: s.volume.VisibilityOff()),
