@@ -19,6 +19,8 @@
  *    two props that overlap have an order that follows from their bounds, or one lies inside of the
  *    other. They are drawn back to front, of closed props the far faces before the near faces:
  *    into the framebuffer where no pixel has more than one layer, otherwise into a float32 layer.
+ *    Where a few of such a group have no order, such as two that cross, these are sorted by an
+ *    A-buffer of their own, in turns with the others, if that costs less than sorting all of them.
  *    Where shaders can read the framebuffer, up to 3 layers are drawn into the framebuffer and the
  *    float32 layer at once.
  * 4. All other props are sorted by the A-buffer, in bands when its fragments do not fit into

@@ -68,10 +68,7 @@ vtkOITPlan vtkOITPlanner::MakePlan(
   if (settings.SkipSorting && !hasVolumes)
   {
     plan.FindOrder = [this](const vtkOITFrame& group)
-    {
-      const vtkOITBlendPlan found(group, this->Shapes);
-      return vtkOITOrder{ found.Blended, found.Sorted };
-    };
+    { return vtkOITBlendPlan(group, this->Shapes).Order; };
   }
   return plan;
 }
