@@ -151,6 +151,13 @@ class TestVolumeReuse(unittest.TestCase):
             edit(scene)
             self.assertFalse(any(scene.draw()[1] for _ in range(4)), edit.__name__)
 
+    def test_nothing_is_made(self):
+        """Asked for its gradient opacity, a vtkVolumeProperty makes one, with which frames take three times as long."""
+        scene = self.make(plain)
+        for _ in range(3):
+            scene.draw()
+        self.assertFalse(scene.volume.GetProperty().HasGradientOpacity())
+
     def test_switch(self):
         scene = self.make(plain)
         scene.instance.ReuseFramesOff()

@@ -8,6 +8,7 @@
 #include "Private/Volume/vtkOITVolumes.h"
 
 #include "vtkActor.h"
+#include "vtkAlgorithm.h"
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkCommand.h"
@@ -224,7 +225,8 @@ void vtkOITFrameSignature::AddProps(const vtkOITFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-// GetRedrawMTime() brings the pipeline up to date.
+// Not by GetRedrawMTime(): that gives the property a gradient opacity of 1, with which mappers compute
+// gradients at each sample.
 void vtkOITFrameSignature::AddVolume(vtkProp* prop)
 {
   auto* volume = vtkVolume::SafeDownCast(prop);
@@ -234,13 +236,22 @@ void vtkOITFrameSignature::AddVolume(vtkProp* prop)
     this->Known = false;
     return;
   }
+  if (vtkAlgorithm* input = volume->GetMapper()->GetInputAlgorithm())
+  {
+    input->Update();
+  }
+  vtkVolumeProperty* property = volume->GetProperty();
   this->Add(prop);
-  this->Add(volume->GetRedrawMTime());
+  this->Add(volume->GetMTime());
+  this->Add(property);
+  this->Add(property->GetMTime());
+  this->Add(volume->GetMapper());
+  this->Add(volume->GetMapper()->GetMTime());
   this->Add(mapper->GetMTime());
   this->AddDoubles(volume->GetMatrix()->GetData(), 16);
   const auto addTime = [this](vtkObject* object) { this->Add(object ? object->GetMTime() : 0); };
+  addTime(volume->GetMapper()->GetDataSetInput());
   addTime(mapper->GetMaskInput());
-  vtkVolumeProperty* property = volume->GetProperty();
   for (int i = 0; i < VTK_MAX_VRCOMP; ++i)
   {
     addTime(property->GetTransferFunction2D(i));
