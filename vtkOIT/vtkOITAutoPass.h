@@ -29,7 +29,8 @@
  * GetAlgorithmName() names the method that drew the frame, GetAlgorithmReason() says why, and
  * GetSkipSummary() says what was skipped.
  *
- * Geometry passes: 0 when a frame is reused; 1 for blending, 2 or more with closed props; 1 for the
+ * Geometry passes: 0 when a frame is reused; 1 for blending, 2 or more with closed props, and one for
+ * each turn of blending and sorting; 1 for the
  * A-buffer; about N/6 or N/2 for N layers by dual depth peeling. Memory per pixel: 16 bytes where
  * props are blended, 24 where frames are reused, otherwise that of the method. All of it stays
  * within MaximumBufferSize. Needs OpenGL 3.2 with ARB_explicit_attrib_location, and for the
