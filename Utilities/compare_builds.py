@@ -10,6 +10,7 @@ For a change that is to change nothing: build A before it and B after it, in two
   compare_builds.py diff a.zip b.zip   tells what differs between two such files
   compare_builds.py speed A B          the time of frames, in turns, B/A
   compare_builds.py speed A B --instructions
+  compare_builds.py instructions A     those of one build, as multiples of blending's (Utilities/instructions.sh)
 
 The scenes and how they are drawn come from the source tree of this script, the package vtkoit and the library from the
 builds. Pictures of a build take about 10 minutes of one core: all methods in most scenes, their variants each in some;
@@ -29,6 +30,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "compare"))
 
 try:
+    import instructions
     import pictures
     import speed
 except ModuleNotFoundError as error:
@@ -66,6 +68,12 @@ def parser():
     timed.add_argument("--instructions", action="store_true",
                        help="count instructions of a frame by callgrind instead: exact, but minutes a row, and "
                             "other shaders than on the machine itself")
+    counted = add("instructions", "count instructions of a build as multiples of blending's", ("build", "build folder"))
+    counted.add_argument("--scenes", nargs="+", metavar="S", help="default: " + " ".join(instructions.SCENES))
+    counted.add_argument("--methods", nargs="+", metavar="M", help="default: " + " ".join(instructions.METHODS))
+    mode = counted.add_mutually_exclusive_group()
+    mode.add_argument("--record", action="store_true", help="write them into %s" % instructions.RECORD.name)
+    mode.add_argument("--check", action="store_true", help="status 1 when one has grown by more than 2 %% over that file")
     return top
 
 
@@ -83,6 +91,8 @@ def run(options):
     """Runs a command; the exit status."""
     if options.command == "diff":
         return 1 if pictures.diff(options.file_a, options.file_b, options.lines) else 0
+    if options.command == "instructions":
+        return instructions.run(options.build, options.scenes, options.methods, options.record, options.check)
     if options.command == "speed":
         arguments = (options.build_a, options.build_b, options.scenes or speed.SCENES, options.methods, options.size)
         if options.instructions:

@@ -4,6 +4,7 @@
 
 {"do": "pictures", ...}   draws all scenes by all contenders into a zip file
 {"do": "frames", ...}     draws a number of frames and ends, for callgrind
+{"do": "forks", ...}      the same for several drawings, each in a process of its own, whose ids it prints
 {"do": "serve"}           draws frames one at a time as standard input asks, and answers with their times
 
 A contender is METHOD[:NAME=VALUE,...][@4 | @float], in a window of 4 samples, or in a framebuffer of floats with a
@@ -56,6 +57,8 @@ VARIANTS = (
     ("NumberOfLayersPerPass", 16),
 )
 MULTISAMPLED = ("auto", "abuffer")
+# What instructions are compared with, and no method of ours: VTK's blending in the order of the props.
+UNSORTED = {"blend": gl.vtkTranslucentPass}
 # Unless everything is asked for, the methods as they are draw every scene, and the others these and each one scene of
 # so many, in turns.
 THOROUGH = ("baseline-spheres", "baseline-viewports")
@@ -101,7 +104,8 @@ class Drawing:
         values = dict(text.split("=") for text in filter(None, rest.split(",")))
         self.window = window
         self.renderers = renderers
-        self.passes = [vtkoit.create(method, **values) for _ in renderers]
+        create = UNSORTED.get(method, lambda: vtkoit.create(method, **values))
+        self.passes = [create() for _ in renderers]
         self.outer = []
         for renderer, inner in zip(renderers, self.passes):
             steps = gl.vtkRenderStepsPass()
@@ -123,7 +127,8 @@ class Drawing:
 
     def missing(self):
         """What this contender lacks in this context, str; empty when it runs."""
-        return " ".join(self.passes[0].GetMissingCapability(self.window).split())
+        find = getattr(self.passes[0], "GetMissingCapability", lambda window: "")
+        return " ".join(find(self.window).split())
 
     def picture(self):
         """What the last frame shows: array n x 4 of bytes, or of float."""
@@ -314,6 +319,31 @@ def serve():
         answers.flush()
 
 
+def draw_frames(scene, contender, size, frames):
+    """Draws so many frames of a turning camera."""
+    timed = Timed(scene, contender, size)
+    for _ in range(frames):
+        timed.frame()
+
+
+def fork(drawings, frames):
+    """Draws each of several (scene, contender, size) in a process of its own, which has imported everything already:
+    under valgrind that takes longer than the frames."""
+    for drawing in drawings:
+        sys.stdout.flush()
+        child = os.fork()
+        if child == 0:
+            status = 1
+            try:
+                draw_frames(*drawing, frames)
+                status = 0
+            finally:
+                os._exit(status)
+        if os.waitpid(child, 0)[1]:
+            sys.exit("%s by %s was not drawn" % tuple(drawing[:2]))
+        print(child)
+
+
 def main():
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # the output window gets the same
     asked = json.loads(sys.argv[1])
@@ -322,10 +352,10 @@ def main():
         write_pictures(**asked)
     elif do == "serve":
         serve()
+    elif do == "forks":
+        fork(**asked)
     else:
-        timed = Timed(asked["scene"], asked["contender"], asked["size"])
-        for _ in range(asked["frames"]):
-            timed.frame()
+        draw_frames(**asked)
 
 
 if __name__ == "__main__":

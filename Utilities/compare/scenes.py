@@ -39,12 +39,13 @@ new renderers, list of vtkRenderer, each time; what they share is made once."""
 
 
 def bench_scenes():
-    """The procedural Scenes of vtkoit.bench, without the rest of that package."""
-    package = types.ModuleType("bench_scenes")
-    package.__path__ = [str(BENCH)]
-    sys.modules.setdefault("bench_scenes", package)
+    """The procedural Scenes of vtkoit.bench, without the rest of these packages."""
+    for name, path in (("source", BENCH.parent), ("source.bench", BENCH)):
+        package = types.ModuleType(name)
+        package.__path__ = [str(path)]
+        sys.modules.setdefault(name, package)
     scene, families, sciviz = (
-        importlib.import_module("bench_scenes." + source[:-3]) for source in SOURCES)
+        importlib.import_module("source.bench." + source[:-3]) for source in SOURCES)
 
     def make(item):
         parts = item.make()

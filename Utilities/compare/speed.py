@@ -129,15 +129,19 @@ def alternate(build_a, build_b, scenes, methods, size, frames, budget):
             worker.close()
 
 
+def valgrind_environment():
+    """The environment in which instructions are counted, dict of str."""
+    # One thread, nothing compiled before, and instructions that valgrind knows.
+    return environment(LP_NUM_THREADS="0", LP_NATIVE_VECTOR_WIDTH="128", MESA_SHADER_CACHE_DISABLE="true")
+
+
 def count_instructions(build, scene, method, pixels, frames):
     """Instructions of a process that draws so many frames, int. Raises Failure."""
-    # One thread, nothing compiled before, and instructions that valgrind knows.
-    environ = environment(LP_NUM_THREADS="0", LP_NATIVE_VECTOR_WIDTH="128", MESA_SHADER_CACHE_DISABLE="true")
     asked = {"do": "frames", "scene": scene, "contender": method, "size": pixels, "frames": frames}
     with tempfile.TemporaryDirectory() as folder:
         run = subprocess.run(
             ["valgrind", "--tool=callgrind", "--trace-children=yes", "--callgrind-out-file=%s/%%p" % folder,
-             *command(build, asked)], check=False, env=environ, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+             *command(build, asked)], check=False, env=valgrind_environment(), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
             text=True)
     counts = [int(number) for number in re.findall(r"Collected : (\d+)", run.stderr)]
     if run.returncode or not counts:
