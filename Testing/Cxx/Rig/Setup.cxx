@@ -139,6 +139,8 @@ vtkSmartPointer<vtkOITPass> Setup::CreatePass() const
   {
     return CreateContenderPass(this->Method);
   }
+  const bool hasNetworks = this->Method == "abuffer" && this->HasNetworksAtOnce;
+  vtksys::SystemTools::PutEnv(hasNetworks ? "VTKOIT_NETWORKS=1" : "VTKOIT_NETWORKS=0");
   auto pass = vtkSmartPointer<vtkOITPass>::Take(vtkOITPassFactory::CreatePass(this->Method));
   if (pass)
   {

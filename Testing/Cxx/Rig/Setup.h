@@ -51,6 +51,9 @@ struct Setup
   bool HasInterlock = false;           // the fragment shader interlock, in this tier
   int LargestStack = 4096;             // layers that the method peels in bearable time
   bool IsContender = false;            // only observed, see Contenders.h
+  /// The A-buffer compiles its sorting networks as soon as it could use them (VTKOIT_NETWORKS), so that
+  /// tests of a few small frames test them; the automatic pass never does in tests.
+  bool HasNetworksAtOnce = true;
   bool IsLong = false;                 // --long: also what takes too long to be run each time
 
   std::string Describe() const;

@@ -19,8 +19,22 @@
 
 namespace
 {
-// Fragments per pixel that the first frame has room for.
+// Fragments per pixel that the first frame has room for, and how many it has at most where it guesses.
 constexpr std::int64_t FirstGuess = 4;
+constexpr std::int64_t LargestGuess = 8 << 20;
+
+/// Room for a frame of which nothing is known. A closed convex prop covers three quarters of its
+/// rectangle twice; pixels leave half of a page of nodes empty. Too little costs a second geometry pass,
+/// too much only memory.
+std::int64_t GuessFragments(const vtkOITFrame& frame, const vtkOITRectangle& band)
+{
+  std::int64_t fragments = 2 * band.GetArea();
+  for (const vtkOITScreenExtent& extent : frame.Extents)
+  {
+    fragments += extent.Rectangle.Intersect(band).GetArea() * 3 / 2;
+  }
+  return std::max(FirstGuess * band.GetArea(), std::min(fragments, LargestGuess));
+}
 
 /// List heads that are read by framebuffer fetch lie where the pixels lie in the framebuffer.
 std::int64_t GetBytesOfHeadsInTarget(const vtkOITFrame& frame)
@@ -231,7 +245,9 @@ void vtkOITABufferEngine::DrawSolidDepth(const Task& task)
 // that the band needs: when that is more than the pool has now, nothing was drawn.
 vtkOITFailure vtkOITABufferEngine::DrawBand(const Task& task, std::int64_t& needed)
 {
-  std::int64_t wanted = std::max(FirstGuess * this->Band.GetArea(), this->Store.GetCapacity());
+  std::int64_t wanted = this->Store.GetCapacity() > 0
+    ? std::max(FirstGuess * this->Band.GetArea(), this->Store.GetCapacity())
+    : GuessFragments(task.Frame, this->Band);
   for (std::int64_t before = -1;;)
   {
     this->ChooseShaders(task);

@@ -11,6 +11,8 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <cstring>
 #include <limits>
 
 namespace
@@ -23,8 +25,14 @@ constexpr std::array<int, 2> TilesWithLists = { -1, OIT_HAS_LISTS };
 constexpr GLbitfield Barriers =
   GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT;
 
-// Frames with tiles for the largest network before it is worth being compiled.
-constexpr int DeepFramesToCompile = 8;
+// Tiles that Walk has drawn before the network for them is compiled: on llvmpipe that takes as long as the
+// network saves on 2500 tiles full of the longest lists, or 15000 of isosurfaces, whatever its size.
+constexpr std::int64_t TilesToCompile = 4000;
+
+bool IsOne(const char* value)
+{
+  return value && std::strcmp(value, "1") == 0;
+}
 
 // Loop iterations that one draw of Sort may spend on a list, below llvmpipe's 65535.
 constexpr int SortBudget = 60000;
@@ -52,6 +60,12 @@ const std::string& GetTileVertexShader()
 }
 
 //------------------------------------------------------------------------------
+vtkOITABufferResolver::vtkOITABufferResolver()
+  : CompilesAtOnce(IsOne(std::getenv("VTKOIT_NETWORKS")))
+{
+}
+
+//------------------------------------------------------------------------------
 void vtkOITABufferResolver::SetShaders(const vtkOITABufferShaders& shaders)
 {
   if (!(shaders == this->Shaders))
@@ -65,7 +79,8 @@ void vtkOITABufferResolver::SetShaders(const vtkOITABufferShaders& shaders)
 void vtkOITABufferResolver::Release()
 {
   this->DepthComplexity.Clear();
-  this->DeepFrames = 0;
+  this->Walked = {};
+  this->WalkStage.Release();
   this->CountStage.Release();
   for (vtkOITScreenStage& stage : this->ResolveStages)
   {
@@ -88,7 +103,7 @@ vtkOITFailure vtkOITABufferResolver::Resolve(const vtkOITFrame& frame, vtkOITFra
   glMemoryBarrier(Barriers);
   counters = {};
   const bool sortsAll = this->Shaders.SortsAll();
-  if (sortsAll || this->DepthComplexity.IsEmpty())
+  if (sortsAll || (this->CompilesAtOnce && this->DepthComplexity.IsEmpty()))
   {
     vtkOITFailure failure = this->Count(frame, store, counters);
     if (failure || counters.Overflow)
@@ -122,8 +137,10 @@ vtkOITFailure vtkOITABufferResolver::DrawWhatIsLeft(
   if (!counters.Overflow && (counters.Marks & OIT_TRY_AGAIN))
   {
     glMemoryBarrier(Barriers);
-    failure = this->DrawTiles(this->SecondChanceStage, frame, store, TilesToTryAgain,
-      [this] { return this->Shaders.GetSecondChance(); });
+    const bool hasNetwork = this->SecondChanceStage.IsPrepared();
+    failure = this->DrawTiles(hasNetwork ? this->SecondChanceStage : this->WalkStage, frame, store,
+      TilesToTryAgain, [this, hasNetwork]
+      { return hasNetwork ? this->Shaders.GetSecondChance() : this->Shaders.GetWalk(); });
     counters = store.ReadCounters();
   }
   if (!failure && !counters.Overflow && (counters.Marks & OIT_HAS_LISTS))
@@ -164,38 +181,67 @@ void vtkOITABufferResolver::PrepareOutput(
 }
 
 //------------------------------------------------------------------------------
+std::size_t vtkOITABufferResolver::FindClass(std::uint32_t length)
+{
+  const auto& sizes = vtkOITABufferShaders::NetworkSizes;
+  return static_cast<std::size_t>(
+    std::lower_bound(sizes.begin(), sizes.end(), static_cast<int>(length)) - sizes.begin());
+}
+
+//------------------------------------------------------------------------------
+vtkOITScreenStage& vtkOITABufferResolver::GetStage(std::size_t tileClass)
+{
+  return tileClass == LongLists ? this->SecondChanceStage : this->ResolveStages[tileClass];
+}
+
+//------------------------------------------------------------------------------
+// Whether tiles of a class are drawn by its own program from now on. `isFree`: this frame has compiled none yet.
+bool vtkOITABufferResolver::Earns(std::size_t tileClass, std::int64_t tiles, bool& isFree)
+{
+  if (this->GetStage(tileClass).IsPrepared())
+  {
+    return true;
+  }
+  this->Walked[tileClass] += tiles;
+  const bool earns =
+    this->CompilesAtOnce || (isFree && this->Walked[tileClass] > TilesToCompile);
+  isFree = isFree && !earns;
+  return earns;
+}
+
+//------------------------------------------------------------------------------
 std::vector<vtkOITABufferResolver::TileDraw> vtkOITABufferResolver::FindDraws(
   const std::vector<std::uint32_t>& expected)
 {
+  std::array<std::int64_t, Classes> tiles{};
+  for (const std::uint32_t length : expected)
+  {
+    ++tiles[FindClass(length)];
+  }
+  bool isFree = true;
   std::vector<TileDraw> draws;
   int smallest = 0;
-  const auto isNeeded = [&](int largest)
+  for (std::size_t i = 0; i < Classes; ++i)
   {
-    return std::any_of(expected.begin(), expected.end(),
-      [=](std::uint32_t count)
-      { return smallest <= static_cast<int>(count) && static_cast<int>(count) <= largest; });
-  };
-  for (std::size_t i = 0; i < this->ResolveStages.size(); ++i)
-  {
-    const int size = vtkOITABufferShaders::NetworkSizes[i];
-    const bool isDeep = size > OIT_LONG_LIST;
-    if (isDeep && isNeeded(size) && this->DeepFrames < DeepFramesToCompile)
+    const int size = vtkOITABufferShaders::NetworkSizes[std::min(i, LongLists - 1)];
+    const int largest = i < LongLists ? size : std::numeric_limits<int>::max();
+    vtkOITScreenStage& stage = this->GetStage(i);
+    if (tiles[i] > 0 && this->Earns(i, tiles[i], isFree))
     {
-      ++this->DeepFrames;
-      break;
+      draws.push_back({ &stage, { smallest, largest },
+        [this, i, size] { return i < LongLists ? this->Shaders.GetResolve(size)
+                                               : this->Shaders.GetSecondChance(); } });
     }
-    if (isNeeded(size))
+    else if (tiles[i] > 0 && !draws.empty() && draws.back().Stage == &this->WalkStage)
     {
-      draws.push_back({ &this->ResolveStages[i], { smallest, size },
-        [this, size] { return this->Shaders.GetResolve(size); } });
+      draws.back().TileClass[1] = largest; // no tiles are between
     }
-    smallest = size + 1;
-  }
-  constexpr int largest = std::numeric_limits<int>::max();
-  if (isNeeded(largest))
-  {
-    draws.push_back({ &this->SecondChanceStage, { smallest, largest },
-      [this] { return this->Shaders.GetSecondChance(); } });
+    else if (tiles[i] > 0)
+    {
+      draws.push_back(
+        { &this->WalkStage, { smallest, largest }, [this] { return this->Shaders.GetWalk(); } });
+    }
+    smallest = largest < std::numeric_limits<int>::max() ? largest + 1 : largest;
   }
   return draws;
 }

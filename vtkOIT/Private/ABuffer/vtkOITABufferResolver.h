@@ -18,13 +18,13 @@ class vtkShaderProgram;
  * What an A-buffer does after capture, for the current rectangle of a store:
  *
  * 1. Each tile is drawn with the smallest sorting network that takes the depth complexity it had
- *    in the last frame; beyond the largest one, as in step 3. The network for 64 fragments, which
- *    takes seconds to compile, is used from the ninth frame on that has tiles for it. Without a
- *    last frame, Count finds the depth complexity.
+ *    in the last frame; beyond the largest one, as in step 3. Networks take long to compile, and a
+ *    picture may be the only one: Walk takes tiles until a network would have paid for its compiler,
+ *    and at most one is compiled a frame.
  * 2. Counters and tiles are read back: normally the only time that the pass waits for the GPU.
- * 3. Tiles with pixels that were left, if any, get a second chance with the largest network, in
- *    which the nearest fragments of longer lists may be enough; other long lists and coincident
- *    fragments are sorted and composited.
+ * 3. Tiles with pixels that were left, if any, get a second chance by Walk or, where many lists are
+ *    long, by SecondChance, in which the nearest fragments of longer lists may be enough; other long
+ *    lists and coincident fragments are sorted and composited.
  *
  * Multisampled framebuffers: Count, then all lists are sorted and composited once a sample. Frames
  * with volumes: Count, all lists are sorted, volumes are drawn, what they leave is composited.
@@ -32,6 +32,10 @@ class vtkShaderProgram;
 class vtkOITABufferResolver
 {
 public:
+  /// In the environment VTKOIT_NETWORKS=1 has Count find the depth complexity of the first frame, and
+  /// networks compiled as soon as there are tiles for them: for tests, and to measure steady frames.
+  vtkOITABufferResolver();
+
   /// Programs for these shaders from now on.
   void SetShaders(const vtkOITABufferShaders& shaders);
 
@@ -63,6 +67,12 @@ private:
     std::array<int, 2> TileClass;
     std::function<std::string()> GetFragmentShader;
   };
+  /// The classes of tiles are those of NetworkSizes, and one for longer lists.
+  static constexpr std::size_t Classes = vtkOITABufferShaders::NetworkSizes.size() + 1;
+  static constexpr std::size_t LongLists = Classes - 1;
+  static std::size_t FindClass(std::uint32_t length);
+  vtkOITScreenStage& GetStage(std::size_t tileClass);
+  bool Earns(std::size_t tileClass, std::int64_t tiles, bool& isFree);
   std::vector<TileDraw> FindDraws(const std::vector<std::uint32_t>& expected);
   vtkOITFailure DrawExpected(
     const vtkOITFrame& frame, const vtkOITFragmentStore& store, const std::vector<TileDraw>& draws);
@@ -88,7 +98,9 @@ private:
   vtkOITDepthComplexityMap DepthComplexity;
   vtkOITScreenStage CountStage;
   std::array<vtkOITScreenStage, vtkOITABufferShaders::NetworkSizes.size()> ResolveStages;
-  int DeepFrames = 0; // that had tiles for the largest network
+  vtkOITScreenStage WalkStage;
+  std::array<std::int64_t, Classes> Walked{}; // tiles of each class that Walk has drawn
+  const bool CompilesAtOnce;
   vtkOITScreenStage SecondChanceStage;
   vtkOITScreenStage SortStage;
   /// The same for tiles with short lists only, with less to do.

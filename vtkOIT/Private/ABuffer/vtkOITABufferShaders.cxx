@@ -139,6 +139,15 @@ std::string vtkOITABufferShaders::GetSecondChance() const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkOITABufferShaders::GetWalk() const
+{
+  return this->MakeOutputStage(vtkOITABufferSecondChanceFS)
+    .Define("OIT_ENDS_LONG_LISTS")
+    .Insert("Registers", vtkOITRegisterWalk(WalkedFragments, LongestWalk))
+    .GetText();
+}
+
+//------------------------------------------------------------------------------
 std::string vtkOITABufferShaders::GetSort(int runSize) const
 {
   return this->MakeStage(vtkOITABufferSortFS)

@@ -52,6 +52,8 @@ struct vtkOITABufferShaders
   std::string GetCount() const;
   std::string GetResolve(int networkSize) const;
   std::string GetSecondChance() const;
+  /// In place of Resolve and SecondChance until their programs are compiled.
+  std::string GetWalk() const;
   /// `runSize`: fragments of the runs that it starts from, OIT_RUN_SIZE or the length of short lists.
   std::string GetSort(int runSize) const;
   std::string GetComposite() const;
@@ -59,13 +61,20 @@ struct vtkOITABufferShaders
   std::string GetVolume(const std::string& mapperShader) const;
   ///@}
 
-  /// Fragments of a pixel that the sorting networks in registers take, ascending. Larger ones than
-  /// OIT_LONG_LIST take seconds to compile.
+  /// Fragments of a pixel that the sorting networks in registers take, ascending. The largest
+  /// takes seconds to compile.
   static constexpr std::array<int, OIT_NETWORK_COUNT> NetworkSizes = { OIT_NETWORK_SIZES };
 
   /// Nearest fragments of longer lists that SecondChance keeps. The more, the fainter they may be
   /// to reach a threshold; the less of its network is left for loading others.
   static constexpr int KeptFragments = 24;
+
+  /// Fragments that Walk keeps in registers, and the longest list that it takes to its end. The more it
+  /// keeps, the fewer walks, and the longer it compiles.
+  ///@{
+  static constexpr int WalkedFragments = 8;
+  static constexpr int LongestWalk = 128;
+  ///@}
 
 private:
   void AddVariant(vtkOITShaderText& text) const;

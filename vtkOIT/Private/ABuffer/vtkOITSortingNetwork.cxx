@@ -80,6 +80,31 @@ std::string vtkOITRegisterSelect(int size, int kept)
 }
 
 //------------------------------------------------------------------------------
+// The farthest one kept waits for the next walk, as it might coincide with one that was not.
+std::string vtkOITRegisterWalk(int kept, int most)
+{
+  std::ostringstream os;
+  WriteForEach(os, "OIT_DECLARE", 0, kept);
+  os << "uint last = 0u;\nuint done = 0u;\nbool isMore = head != OIT_END;\n"
+     << "for (int walk = 0; walk < " << (most - 2) / (kept - 1) + 1 << " && isMore; ++walk)\n{\n";
+  WriteForEach(os, "OIT_RESET", 0, kept);
+  os << "count = 0u;\nfor (node = head; node != OIT_END; ++count)\n{\n"
+     << "OITFragment f = oitRead(node);\nnode = f.Next;\n"
+     << "uint key = done > 0u && f.Key <= last ? OIT_NO_KEY : f.Key;\nOITColor fresh = f.Color;\n";
+  WriteForEach(os, "OIT_INSERT", 0, kept);
+  os << "}\nisMore = count - done > " << kept << "u;\n";
+  WriteTies(os, kept);
+  WriteForEach(os, "OIT_BLEND", 0, kept - 1);
+  os << "color" << kept - 1 << " = isMore ? OITColor(0u) : color" << kept - 1 << ";\n";
+  WriteForEach(os, "OIT_BLEND", kept - 1, kept);
+  os << "last = key" << kept - 2 << ";\ndone += " << kept - 1 << "u;\n"
+     << "isLong = OIT_IS_AT_END;\n"
+     << "isMore = isMore && !isTied && !isLong && transmittance > 0.0;\n}\n"
+     << "thin = transmittance;\nisTied = isTied || isMore;\n";
+  return os.str();
+}
+
+//------------------------------------------------------------------------------
 std::string vtkOITRegisterSort(int size)
 {
   std::ostringstream os;

@@ -13,6 +13,9 @@ std::string vtkOITRegisterResolve(int size);
 /// Of SecondChance: up to `size` fragments, which are blended; of more, the `kept` nearest, while
 /// those behind are not seen.
 std::string vtkOITRegisterSelect(int size, int kept);
+/// Of Walk: up to `most` fragments, by walks over the list that blend the `kept` nearest of those that
+/// are left, less one: little text, which compiles fast. Takes time in the square of the length.
+std::string vtkOITRegisterWalk(int kept, int most);
 /// Of Sort: `size` nodes, which are linked.
 std::string vtkOITRegisterSort(int size);
 ///@}

@@ -16,11 +16,12 @@
 #include "vtkShader.h"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
+#include <map>
 
 namespace
 {
-/// Scenes have few different shaders; one that has more wraps some again.
+/// Scenes have few different shaders; one that has more rewrites some again.
 constexpr std::size_t MostTexts = 64;
 
 /// Whether passes around ours are asked about the shaders of a prop, too.
@@ -43,24 +44,43 @@ bool DrawsNothing(vtkShaderProgram* program)
   return program->GetFragmentShader()->GetSource().find(Discard) != std::string::npos;
 }
 
-/// What the user of an actor has replaced at the end, which VTK does after us: in the texts for
-/// vertices, geometry and fragments.
-void ReplaceLast(std::array<std::string, 3>& texts, vtkProp* prop)
+/// What the user of an actor replaces at the end, which VTK does after us.
+std::map<vtkShader::ReplacementSpec, vtkShader::ReplacementValue> FindReplacements(vtkProp* prop)
 {
   auto* property =
     prop ? vtkOpenGLShaderProperty::SafeDownCast(prop->GetShaderProperty()) : nullptr;
-  if (!property)
+  auto replacements = property ? property->GetAllShaderReplacements()
+                               : std::map<vtkShader::ReplacementSpec, vtkShader::ReplacementValue>();
+  for (auto it = replacements.begin(); it != replacements.end();)
   {
-    return;
+    it = it->first.ReplaceFirst ? replacements.erase(it) : std::next(it);
   }
-  for (const auto& replacement : property->GetAllShaderReplacements())
+  return replacements;
+}
+
+/// The same, to be compared.
+std::string DescribeReplacements(vtkProp* prop)
+{
+  std::string text;
+  for (const auto& [from, to] : FindReplacements(prop))
   {
-    const vtkShader::Type type = replacement.first.ShaderType;
+    text += std::to_string(from.ShaderType) + from.OriginalValue + '\0' + to.Replacement +
+      (to.ReplaceAll ? '\1' : '\0');
+  }
+  return text;
+}
+
+/// In the texts for vertices, geometry and fragments.
+void ReplaceLast(std::array<std::string, 3>& texts, vtkProp* prop)
+{
+  for (const auto& [from, to] : FindReplacements(prop))
+  {
+    const vtkShader::Type type = from.ShaderType;
     const int which = type == vtkShader::Vertex ? 0 : type == vtkShader::Geometry ? 1 : 2;
-    if (!replacement.first.ReplaceFirst && (which < 2 || type == vtkShader::Fragment))
+    if (which < 2 || type == vtkShader::Fragment)
     {
-      vtkShaderProgram::Substitute(texts[which], replacement.first.OriginalValue,
-        replacement.second.Replacement, replacement.second.ReplaceAll);
+      vtkShaderProgram::Substitute(
+        texts[which], from.OriginalValue, to.Replacement, to.ReplaceAll);
     }
   }
 }
@@ -84,8 +104,7 @@ vtkOITFailure vtkOITGatherHook::RenderBy(
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(state->GetRenderer()->GetVTKWindow());
   if (window != this->Window)
   {
-    this->Wrapped.clear(); // the version of GLSL may be another one
-    this->Proven.clear();
+    this->Known.clear(); // the version of GLSL may be another one
     this->Window = window;
   }
   this->Failure = {};
@@ -110,75 +129,80 @@ vtkOITFailure vtkOITGatherHook::RenderBy(
 void vtkOITGatherHook::SetStage(vtkOITShaderText stage)
 {
   this->Stage = std::move(stage);
-  this->Wrapped.clear();
-  this->Proven.clear();
+  this->Known.clear();
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
+// Many props have the same texts, and are asked for them when they change.
 bool vtkOITGatherHook::PostReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
-  const auto found = this->Wrapped.find(fragmentShader);
-  if (found != this->Wrapped.end())
-  {
-    fragmentShader = found->second;
-  }
-  else
-  {
-    const std::string before = fragmentShader;
-    if (!this->Stage.Wrap(fragmentShader))
+  const std::string replacements = DescribeReplacements(prop);
+  const auto found = std::find_if(this->Known.begin(), this->Known.end(),
+    [&](const Text& text)
     {
-      return false;
-    }
-    if (this->Wrapped.size() < MostTexts)
-    {
-      this->Wrapped.emplace(before, fragmentShader);
-    }
-  }
-  if (this->Stage.ReadsPrimitives())
-  {
-    vtkOITHandOnPrimitives(geometryShader);
-  }
-  vtkOITReplaceTop(fragmentShader,
-    [prop](std::string& top)
-    {
-      std::array<std::string, 3> texts{ "", "", top };
-      ReplaceLast(texts, prop);
-      top = texts[2];
+      return text.Given[2] == fragmentShader && text.Given[1] == geometryShader &&
+        text.Given[0] == vertexShader && text.Replacements == replacements;
     });
-  if (!this->Proves(vertexShader, geometryShader, fragmentShader, prop))
+  if (found != this->Known.end() && found->Program && found->Program->GetCompiled())
   {
-    fragmentShader = "//VTK::System::Dec\n" + Discard;
+    geometryShader = found->Made[1];
+    fragmentShader = found->Made[2];
+    return true;
+  }
+  Text text{ { vertexShader, geometryShader, fragmentShader }, replacements, {}, nullptr };
+  text.Made = text.Given;
+  vtkShaderProgram* program = nullptr;
+  if (!this->Make(text.Made, prop, program))
+  {
+    return false;
+  }
+  geometryShader = text.Made[1];
+  fragmentShader = text.Made[2];
+  if (found != this->Known.end())
+  {
+    this->Known.erase(found);
+  }
+  if (program)
+  {
+    text.Program = program;
+    this->Known.push_front(std::move(text));
+    this->Known.resize(std::min(this->Known.size(), MostTexts));
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
-// Whether the program compiles that a mapper is going to ask the cache for. Without a program VTK
-// draws with the one before, and some of its mappers crash.
-bool vtkOITGatherHook::Proves(const std::string& vertexShader, const std::string& geometryShader,
-  const std::string& fragmentShader, vtkProp* prop)
+// The texts under our stage, and the program that a mapper is going to ask the cache for with them.
+// Without a program VTK draws with the one before, and some of its mappers crash. False without a main().
+bool vtkOITGatherHook::Make(Texts& texts, vtkProp* prop, vtkShaderProgram*& program)
 {
-  std::array<std::string, 3> texts{ vertexShader, geometryShader, fragmentShader };
-  ReplaceLast(texts, prop);
-  const std::string all = texts[0] + texts[1] + texts[2];
-  const auto found = this->Proven.find(all);
-  if (!this->Window ||
-    (found != this->Proven.end() && found->second && found->second->GetCompiled()))
+  ++this->NumberOfTexts;
+  if (!this->Stage.Wrap(texts[2]))
   {
-    return true;
-  }
-  vtkShaderProgram* program = nullptr;
-  if (vtkOITFailure failure =
-        vtkOITReadyProgram(this->Window, texts[0], texts[1], texts[2], program))
-  {
-    this->Failure = failure;
     return false;
   }
-  if (this->Proven.size() < MostTexts || found != this->Proven.end())
+  if (this->Stage.ReadsPrimitives())
   {
-    this->Proven[all] = program;
+    vtkOITHandOnPrimitives(texts[1]);
+  }
+  vtkOITReplaceTop(texts[2],
+    [prop](std::string& top)
+    {
+      Texts replaced{ "", "", top };
+      ReplaceLast(replaced, prop);
+      top = replaced[2];
+    });
+  Texts last = texts;
+  ReplaceLast(last, prop);
+  vtkOITFailure failure = this->Window
+    ? vtkOITReadyProgram(this->Window, last[0], last[1], last[2], program)
+    : vtkOITFailure();
+  if (failure)
+  {
+    this->Failure = failure;
+    texts[2] = "//VTK::System::Dec\n" + Discard;
   }
   return true;
 }

@@ -12,9 +12,10 @@
 #include "vtkShaderProgram.h"
 #include "vtkWeakPointer.h"
 
+#include <array>
+#include <deque>
 #include <optional>
 #include <string>
-#include <unordered_map>
 
 class vtkOITGather;
 
@@ -37,6 +38,8 @@ public:
 
   /// Draws in the last RenderBy(): a mapper calls SetShaderParameters() before each.
   int GetNumberOfDraws() const { return this->NumberOfDraws; }
+  /// Texts that were rewritten so far, which takes long: once for all props with the same.
+  int GetNumberOfTexts() const { return this->NumberOfTexts; }
 
   bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
@@ -57,17 +60,26 @@ private:
   vtkOITGatherHook(const vtkOITGatherHook&) = delete;
   void operator=(const vtkOITGatherHook&) = delete;
 
-  bool Proves(const std::string& vertexShader, const std::string& geometryShader,
-    const std::string& fragmentShader, vtkProp* prop);
+  /// The texts of a mapper for vertices, geometry and fragments.
+  using Texts = std::array<std::string, 3>;
+  /// What became of texts, of a prop with such replacements of its user's, and the program of that.
+  struct Text
+  {
+    Texts Given;
+    std::string Replacements;
+    Texts Made;
+    vtkWeakPointer<vtkShaderProgram> Program;
+  };
+  bool Make(Texts& texts, vtkProp* prop, vtkShaderProgram*& program);
 
   vtkOITShaderText Stage;
   // Other passes around ours may change where the props are drawn into, before each draw.
   std::optional<vtkOITDrawBinding> Binding;
-  std::unordered_map<std::string, std::string> Wrapped; // texts of mappers, and what became of them
-  std::unordered_map<std::string, vtkWeakPointer<vtkShaderProgram>> Proven; // by all of their texts
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of Proven, and that is drawn into
+  std::deque<Text> Known; // the last one first
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of Known, and that is drawn into
   vtkOITFailure Failure;                        // while drawing
   int NumberOfDraws = 0;
+  int NumberOfTexts = 0;
 };
 
 #endif

@@ -40,7 +40,7 @@ vtkOITFailure vtkOITScreenStage::Prepare(vtkOpenGLRenderWindow* window, const ch
   const std::function<std::string()>& getFragmentShader)
 {
   this->Attach(window);
-  if (this->Program && this->Program->GetCompiled())
+  if (this->IsPrepared())
   {
     window->GetShaderCache()->ReadyShaderProgram(this->Program);
   }
@@ -54,6 +54,12 @@ vtkOITFailure vtkOITScreenStage::Prepare(vtkOpenGLRenderWindow* window, const ch
     glGenVertexArrays(1, &this->VertexArray);
   }
   return {};
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITScreenStage::IsPrepared() const
+{
+  return this->Program && this->Program->GetCompiled();
 }
 
 //------------------------------------------------------------------------------

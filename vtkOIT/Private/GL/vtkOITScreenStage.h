@@ -39,6 +39,9 @@ public:
     const std::function<void(const std::function<void()>& draw)>& drawing);
   ///@}
 
+  /// Whether Prepare() would compile nothing.
+  bool IsPrepared() const;
+
 private:
   void Delete() override;
   void Forget() override;

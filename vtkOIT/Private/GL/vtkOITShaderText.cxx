@@ -54,6 +54,25 @@ void Replace(std::string& text, const std::string& from, const std::string& to)
   }
 }
 
+/// Without comments but marks, and without empty lines: VTK looks through the text, and takes its digest,
+/// for each prop.
+std::string Shorten(const std::string& text)
+{
+  std::string shorter;
+  std::istringstream lines(text);
+  std::string line;
+  while (std::getline(lines, line))
+  {
+    const bool isMark = line.compare(0, 7, "//VTK::") == 0;
+    line.resize(isMark ? line.size() : std::min(line.size(), line.find("//")));
+    if (line.find_first_not_of(' ') != std::string::npos)
+    {
+      shorter += line + "\n";
+    }
+  }
+  return shorter;
+}
+
 /// A shader that discards makes llvmpipe blend pixels which failed the early depth test, too; one
 /// that leaves a fragment without opacity does not. Only in main() itself, where `return` can stand
 /// for `discard`.
@@ -233,9 +252,9 @@ bool vtkOITShaderText::Wrap(std::string& mapperShader) const
   mapperShader = std::regex_replace(mapperShader, mainFunction, OITShade);
   ReplaceDiscard(mapperShader);
   const std::string variables = ReplaceOutputs(mapperShader);
-  Replace(
-    mapperShader, Top, this->GetTop(this->EarlyTests && !writesDepth, writesDepth) + variables);
-  mapperShader += "\n" + this->Stage;
+  Replace(mapperShader, Top,
+    Shorten(this->GetTop(this->EarlyTests && !writesDepth, writesDepth)) + variables);
+  mapperShader += "\n" + Shorten(this->Stage);
   return true;
 }
 

@@ -11,6 +11,10 @@
 // Composite. So the picture does not depend on the order of drawing: a list of more than
 // OIT_LONG_LIST fragments is composited up to the first at which the threshold is reached, here
 // or there.
+//
+// Walk, in place of this and of Resolve while their networks are not compiled, is the same with other
+// text in registers: it walks each list several times, and keeps the nearest fragments behind those
+// that it has blended.
 
 //VTK::OIT::Node
 //VTK::OIT::Read
@@ -26,6 +30,22 @@ flat in int oitNetworkSize; // of the first try; -1: this is the first
 #define OIT_FORGET(i)                                                                              \
   key##i = isLong ? OIT_NO_KEY : key##i;                                                           \
   color##i = isLong ? OITColor(0u) : color##i;
+
+#define OIT_RESET(i)                                                                               \
+  key##i = OIT_NO_KEY;                                                                             \
+  color##i = OITColor(0u);
+
+// Of a fragment and the one kept at place i the nearer one stays, the other one goes on.
+#define OIT_INSERT(i)                                                                              \
+  {                                                                                                \
+    bool isNearer = key < key##i;                                                                  \
+    uint nearKey = min(key, key##i);                                                               \
+    key = max(key, key##i);                                                                        \
+    key##i = nearKey;                                                                              \
+    OITColor nearColor = isNearer ? fresh : color##i;                                              \
+    fresh = isNearer ? color##i : fresh;                                                           \
+    color##i = nearColor;                                                                          \
+  }
 
 void main()
 {
