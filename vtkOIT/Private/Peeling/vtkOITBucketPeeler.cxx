@@ -15,27 +15,9 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
-#include <array>
-
 namespace
 {
 constexpr int LayersOfState = 6;
-constexpr int Buckets = 4;
-constexpr float BehindAll = 8.0f; // no bucket begins there
-
-/// Where the buckets after the first begin in the first peel.
-std::array<float, Buckets - 1> Divide(const vtkOITEyeDepthInterval& interval)
-{
-  std::array<float, Buckets - 1> result{};
-  for (int i = 0; i < Buckets - 1; ++i)
-  {
-    const double share = static_cast<double>(i + 1) / Buckets;
-    const double eye = interval.Nearest + share * (interval.Farthest - interval.Nearest);
-    const double depth = (eye - interval.Near) / (interval.Far - interval.Near);
-    result[i] = static_cast<float>(interval.IsParallel ? depth : depth * interval.Far / eye);
-  }
-  return result;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -53,7 +35,6 @@ void vtkOITBucketPeeler::Prepare(const vtkOITFrame& frame, const vtkOITSettings&
   const bool inPlace = vtkOITPeelState::CanWorkInPlace(frame);
   const bool isOther = this->InPlace != inPlace || this->IsAdaptive != isAdaptive;
   this->IsAdaptive = isAdaptive;
-  this->HasExactRange = settings.HasExactDepthRange;
   this->LastOnTop = settings.LastOnTop;
   this->Interval = vtkOITEyeDepthInterval::Find(frame);
   vtkOITShaderText text({ vtkOITFragmentFS, vtkOITBucketGatherFS });
@@ -73,6 +54,7 @@ vtkOITPeelState::Layout vtkOITBucketPeeler::GetLayout(const vtkOITFrame&) const
   vtkOITPeelState::Layout layout;
   layout.Layers = LayersOfState;
   layout.HasBack = true;
+  layout.MasksBack = false; // most are peeled from the front
   return layout;
 }
 
@@ -117,9 +99,9 @@ vtkOITFailure vtkOITBucketPeeler::GatherSums(const vtkOITPeelContext& context)
     const vtkOITOverBlending blending(gl, OIT_BUCKET_DEPTHS);
     return context.RenderGeometry();
   }
-  if (this->IsFirst && this->HasExactRange)
+  if (this->IsFirst)
   {
-    vtkOITFramebuffer::DrawInto(2); // those of one bucket
+    vtkOITFramebuffer::DrawInto(2); // one bucket, and no colours yet
   }
   gl->vtkglEnable(GL_BLEND);
   gl->vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_MAX);
@@ -158,10 +140,6 @@ void vtkOITBucketPeeler::SetUniforms(
   vtkShaderProgram* program, vtkProp*, const vtkOITPeelContext& context)
 {
   context.State.BindFor(program);
-  const std::array<float, Buckets - 1> division = this->HasExactRange
-    ? std::array<float, Buckets - 1>{ BehindAll, BehindAll, BehindAll }
-    : Divide(this->Interval);
-  program->SetUniform3f("oitFirstDivision", division.data());
   program->SetUniformi("oitIsFirst", this->IsFirst ? 1 : 0);
   program->SetUniformi("oitRest", this->IsRest ? 1 : 0);
 }

@@ -16,7 +16,7 @@ class vtkOITBucketPeeler : public vtkOITPeeler
 public:
   std::string FindMissing(
     const vtkOITCapabilities& capabilities, const vtkOITSettings& settings) const override;
-  /// The first peel has no slots yet.
+  /// The first one finds the depth range of each pixel, and counts fragments.
   int GetNumberOfSetUpPeels() const override { return 1; }
   void Prepare(const vtkOITFrame& frame, const vtkOITSettings& settings) override;
   vtkOITPeelState::Layout GetLayout(const vtkOITFrame& frame) const override;
@@ -36,8 +36,6 @@ private:
   vtkOITFailure GatherSums(const vtkOITPeelContext& context);
 
   bool IsAdaptive = false;
-  // The first peel finds the depth range of each pixel, and nothing else.
-  bool HasExactRange = false;
   bool LastOnTop = false;
   bool InPlace = false; // of ResolveStage's program
   bool IsFirst = false; // of the peels

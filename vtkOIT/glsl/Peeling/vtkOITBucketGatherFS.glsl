@@ -13,9 +13,8 @@
 // buffer OIT_BUCKET_DEPTHS, which keeps the maximum of depths and sums up alpha. All is one bucket.
 
 uniform sampler2DArray oitState;
-uniform int oitIsFirst;        // not 0: there are no slots yet
-uniform vec3 oitFirstDivision; // for that peel
-uniform int oitRest;           // not 0: all that is left counts as one group
+uniform int oitIsFirst; // not 0: there are no slots yet, all is one bucket, and counted
+uniform int oitRest;    // not 0: all that is left counts as one group
 
 const float OIT_NO_DEPTH = -2.0;
 
@@ -40,7 +39,7 @@ void main()
   vec4 slots = texelFetch(oitState, ivec3(gl_FragCoord.xy, OIT_STATE_SLOTS), 0);
   vec3 division = texelFetch(oitState, ivec3(gl_FragCoord.xy, OIT_STATE_DIVISION), 0).xyz;
   slots = isFirst ? vec4(-1.0, OIT_NO_SLOT, OIT_NO_SLOT, 2.0) : slots;
-  division = isFirst ? oitFirstDivision : division;
+  division = isFirst ? vec3(OIT_NO_SLOT) : division;
 
   bool isLeft = color.a > 0.0 && depth >= slots.x && depth <= slots.w;
   bvec4 isSlot = equal(slots, vec4(depth));
@@ -55,7 +54,7 @@ void main()
   oitOut1 = match.y * layer;
   oitOut2 = match.z * layer;
   oitOut3 = match.w * layer;
-  oitOut4 = vec4(depths, 0.0, match.w);
+  oitOut4 = vec4(depths, 0.0, isFirst ? float(isLeft) : match.w);
   oitOut5 = vec4(match.xyz, 0.0);
 #else
   vec3 sums = vec3(color.a, oitGetOpticalDepth(color.a), 1.0);
@@ -64,7 +63,7 @@ void main()
   vec4 nearest = mix(vec4(OIT_NO_DEPTH), depths.xxxx, isMine);
   vec4 farthest = mix(vec4(OIT_NO_DEPTH), depths.yyyy, isMine);
   oitOut0 = vec4(match.x * weighted, nearest.x);
-  oitOut1 = vec4(match.x * sums, farthest.x);
+  oitOut1 = vec4(isFirst ? vec3(0.0, 0.0, float(isLeft)) : match.x * sums, farthest.x);
   oitOut2 = vec4(match.y * weighted, nearest.y);
   oitOut3 = vec4(match.y * sums, farthest.y);
   oitOut4 = vec4(match.z * weighted, nearest.z);

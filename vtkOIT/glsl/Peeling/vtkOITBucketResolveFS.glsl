@@ -7,8 +7,8 @@
 
 //VTK::OIT::State
 OIT_STATE_LAYER(3) // colour and transmittance of the layers peeled from the back
-OIT_STATE_LAYER(4) // slots: depths, ascending, of the nearest two and of the farthest two fragments known
-OIT_STATE_LAYER(5) // division: depths at which the second to the fourth bucket begin
+OIT_STATE_LAYER(4) // slots: depths, ascending, of the nearest three fragments known and of the farthest
+OIT_STATE_LAYER(5) // division: depths at which the second to the fourth bucket begin; fragments left
 //VTK::OIT::Group
 //VTK::OIT::Depth
 
@@ -22,6 +22,7 @@ void oitLoadState()
   oitLoadCommonState();
   OIT_LOAD_STATE(3)
   OIT_LOAD_STATE(4)
+  OIT_LOAD_STATE(5)
 }
 
 vec4 oitLoadSums(int layer)
@@ -59,6 +60,7 @@ void oitBlendSlot(int slot, bool isFront)
     oitState3.a -= opacity * oitState3.a;
   }
   oitState1.x += group.Count;
+  oitState5.w -= group.Count;
 }
 
 float oitGetNearest(vec4 depths, float behind)
@@ -67,39 +69,21 @@ float oitGetNearest(vec4 depths, float behind)
   return min(min(those.x, those.y), min(those.z, those.w));
 }
 
-float oitGetFarthest(vec4 depths, float before)
+// Of all depths that are known.
+float oitGetNext(float behind, vec4 bucketNear, vec4 bucketFar, vec4 slots)
 {
-  vec4 those = mix(vec4(-OIT_NO_SLOT), depths, lessThan(depths, vec4(before)));
-  return max(max(those.x, those.y), max(those.z, those.w));
+  return min(oitGetNearest(bucketNear, behind),
+    min(oitGetNearest(bucketFar, behind), oitGetNearest(slots, behind)));
 }
 
-// Where three buckets begin, of the four that divide what is left.
-vec3 oitDivide(float nearest, float farthest, vec4 bucketNear, vec4 bucketFar)
+// Where three buckets begin. Of those in front of the last one each gets a depth of the share that one of
+// the fragments has which have no slot: so that there is one in it, rather than several.
+vec3 oitDivide(float first, float farthest, float fragments)
 {
-  vec3 shares = vec3(0.25, 0.5, 0.75);
-  vec3 eye = mix(vec3(oitGetEyeDepth(nearest)), vec3(oitGetEyeDepth(farthest)), shares);
-#ifdef OIT_ADAPTIVE
-  // Only depths from the nearest to the farthest fragment of a bucket: gaps between them are left out.
-  float starts[4];
-  float lengths[4];
-  float all = 0.0;
-  for (int i = 0; i < 4; ++i)
-  {
-    starts[i] = oitGetEyeDepth(clamp(bucketNear[i], 0.0, 1.0));
-    lengths[i] = bucketFar[i] > bucketNear[i] ? oitGetEyeDepth(bucketFar[i]) - starts[i] : 0.0;
-    all += lengths[i];
-  }
-  vec3 wanted = shares * all;
-  float before = 0.0;
-  for (int i = 0; i < 4; ++i)
-  {
-    bvec3 isHere = bvec3(uvec3(greaterThanEqual(wanted, vec3(before))) *
-      uvec3(lessThan(wanted, vec3(before + lengths[i]))));
-    eye = mix(eye, starts[i] + wanted - before, isHere);
-    before += lengths[i];
-  }
-#endif
-  return vec3(oitGetWindowDepth(eye.x), oitGetWindowDepth(eye.y), oitGetWindowDepth(eye.z));
+  float start = oitGetEyeDepth(first);
+  float share = (oitGetEyeDepth(farthest) - start) / max(fragments, 1.0);
+  return vec3(oitGetWindowDepth(start + share), oitGetWindowDepth(start + 2.0 * share),
+    oitGetWindowDepth(start + 3.0 * share));
 }
 
 void main()
@@ -115,7 +99,14 @@ void main()
   vec4 bucketFar = vec4(oitLoadSums(1).a, oitLoadSums(3).a, oitLoadSums(5).a, oitLoadSums(7).a);
 #endif
   float nearest = oitGetNearest(bucketNear, -1.0);
-  float farthest = oitGetFarthest(bucketFar, OIT_NO_SLOT);
+  float farthest = max(max(bucketFar.x, bucketFar.y), max(bucketFar.z, bucketFar.w));
+
+#ifdef OIT_LAST_ON_TOP
+  float fragments = oitLoadSums(OIT_BUCKET_DEPTHS).a;
+#else
+  float fragments = oitLoadSums(1).b;
+#endif
+  oitState5.w = oitIsFirst != 0 ? fragments : oitState5.w;
 
   vec4 slots = oitIsFirst != 0 ? vec4(OIT_NO_SLOT) : oitState4;
   slots.w = slots.w == slots.x ? OIT_NO_SLOT : slots.w;
@@ -137,14 +128,20 @@ void main()
     }
   }
 
-  float second = min(oitGetNearest(bucketNear, nearest),
-    min(oitGetNearest(bucketFar, nearest), oitGetNearest(slots, nearest)));
-  float secondLast = max(oitGetFarthest(bucketNear, farthest),
-    max(oitGetFarthest(bucketFar, farthest), oitGetFarthest(slots, farthest)));
+  float second = oitGetNext(nearest, bucketNear, bucketFar, slots);
   second = second < farthest ? second : OIT_NO_SLOT;
-  secondLast = second < secondLast ? secondLast : OIT_NO_SLOT;
-  oitState4 = vec4(nearest, second, secondLast, farthest);
-  oitState5 = vec4(oitDivide(nearest, farthest, bucketNear, bucketFar), 0.0);
+  float third = oitGetNext(second, bucketNear, bucketFar, slots);
+  third = third < farthest ? third : OIT_NO_SLOT;
+  oitState4 = vec4(nearest, second, third, farthest);
+
+  float last = third < OIT_NO_SLOT ? third : second < OIT_NO_SLOT ? second : nearest;
+  float slotted = 1.0 + float(second < OIT_NO_SLOT) + float(third < OIT_NO_SLOT) + float(nearest < farthest);
+#ifdef OIT_ADAPTIVE
+  // What lies before the next one that is known is a gap.
+  float next = oitGetNext(last, bucketNear, bucketFar, slots);
+  last = next < farthest ? next : last;
+#endif
+  oitState5.xyz = oitDivide(last, farthest, oitState5.w - slotted);
   oitSetBounds(nearest, farthest);
   oitState4 = oitState2.x <= oitState2.y ? oitState4 : OIT_NO_BOUNDS.xxxy;
 }
