@@ -17,13 +17,47 @@
 #include "vtkOITFragmentFS.h"
 #include "vtkOITFullScreenVS.h"
 
+#include "vtkActor.h"
+#include "vtkMapper.h"
 #include "vtkOpenGLState.h"
+#include "vtkProperty.h"
 #include "vtkShaderProgram.h"
+
+#include <vector>
 
 namespace
 {
 constexpr int Buffers = 8; // draw buffers, as in the paper
 constexpr int LayersOfTable = 4;
+
+/// Of the place in a bucket. With one opacity for all, what opacities take goes to them.
+///@{
+constexpr int Keys = 7;
+constexpr int MoreKeys = 112;
+///@}
+
+/// Whether no fragment has another opacity than the others, as far as the props tell.
+bool HaveSameOpacity(const std::vector<vtkProp*>& props)
+{
+  double opacity = -1.0;
+  for (vtkProp* prop : props)
+  {
+    auto* actor = vtkActor::SafeDownCast(prop);
+    if (!actor || !actor->GetMapper() || actor->GetMapper()->GetScalarVisibility() ||
+      actor->GetTexture() || actor->GetBackfaceProperty() ||
+      !actor->GetProperty()->GetAllTextures().empty())
+    {
+      return false;
+    }
+    const double mine = actor->GetProperty()->GetOpacity();
+    if (opacity >= 0.0 && mine != opacity)
+    {
+      return false;
+    }
+    opacity = mine;
+  }
+  return true;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -37,6 +71,7 @@ void vtkOITBucketShotPeeler::Prepare(const vtkOITFrame& frame, const vtkOITSetti
   this->HasExactRange = settings.HasExactDepthRange;
   this->FloatColor = settings.FloatColor;
   this->ClampsColor = frame.Target.ClampsColor;
+  this->NumberOfKeys = HaveSameOpacity(frame.Props) ? MoreKeys : Keys;
   this->Interval = vtkOITEyeDepthInterval::Find(frame);
   vtkOITShaderText text({ vtkOITFragmentFS, vtkOITBucketDepthFS, vtkOITBucketWordsFS,
     vtkOITBucketShotGatherFS });
@@ -173,6 +208,7 @@ vtkOITFailure vtkOITBucketShotPeeler::Resolve(const vtkOITPeelContext& context)
     [&](vtkShaderProgram* program)
     {
       program->SetUniformi("oitStage", this->Stage);
+      program->SetUniformi("oitKeys", this->NumberOfKeys);
       this->Buckets.Bind(gl, OIT_UNIT_GATHERED);
       program->SetUniformi("oitShot", OIT_UNIT_GATHERED);
       if (isAdaptive)
@@ -210,6 +246,7 @@ void vtkOITBucketShotPeeler::SetUniforms(
   context.State.BindFor(program);
   this->Interval.SetUniforms(program);
   program->SetUniformi("oitStage", this->Stage);
+  program->SetUniformi("oitKeys", this->NumberOfKeys);
   if (this->UsedDivision == Division::Adaptive)
   {
     // What is drawn into is not bound: the table stands in for the buckets while these are.

@@ -49,6 +49,7 @@ private:
   bool ClampsColor = false;
   bool InPlace = false; // of ResolveStage's program
   int Stage = 0;        // of the geometry pass
+  int NumberOfKeys = 0; // that tell places in a bucket apart
   vtkOITGather Gather;
   vtkOITEyeDepthInterval Interval;
 

@@ -47,8 +47,9 @@ void main()
     between += rest > 1 ? rest : 0;
   }
   int least = known + single;
-  // What may lie close together gets all the room that colours of 15 bits leave.
-  int room = least + between > 16 ? 32 : 16;
+  // What may lie close together gets all the room that colours of 15 bits leave, or else those of 8: a
+  // coarser colour is off by less than one that is lost.
+  int room = 16 - least < 5 * between ? 32 : 16;
   room = (between == 0 && least <= 8 ? 8 : room) - least;
   float share = between > 0 ? float(max(room, 0)) / float(between) : 0.0;
 

@@ -17,7 +17,6 @@ uniform sampler2DArray oitState;
 uniform int oitStage;
 
 const float OIT_NOTHING = -2.0;
-const int OIT_KEYS = 7;
 
 layout(location = 0) out vec4 oitOut0;
 layout(location = 1) out vec4 oitOut1;
@@ -66,15 +65,17 @@ void main()
   vec4 sums = mix(vec4(0.0), vec4(count), equal(ivec4(0, 1, 2, 3), ivec4(bucket / 2)));
   vec4 moreSums = vec4(bucket / 2 == 4 ? count : 0.0, bucket / 2 == 5 ? count : 0.0, 1.0, opticalDepth);
 #else
-  int key = min(int((position - float(bucket)) * float(OIT_KEYS)), OIT_KEYS - 1);
-  uint bits = oitPackCoarse(color, 15u);
+  int key = min(int((position - float(bucket)) * float(oitKeys)), oitKeys - 1);
+  uint shift = oitGetKeyShift();
+  uint nearKey = uint(oitKeys - 1 - key) << shift;
+  uint bits = oitPackBucket(color);
 #ifdef OIT_PAIRS
   // Of two fragments with one key each channel takes another one.
-  vec2 words = vec2(oitToWord((uint(OIT_KEYS - 1 - key) << 28u) | (bits ^ 0x0fffffffu)),
-    oitToWord((uint(key) << 28u) | bits));
+  vec2 words = vec2(oitToWord(nearKey | (bits ^ oitGetColorMask())),
+    oitToWord((uint(key) << shift) | bits));
   int first = isRange ? 0 : 2 * bucket;
 #else
-  vec2 words = vec2(oitToWord((uint(OIT_KEYS - 1 - key) << 28u) | bits), OIT_NOTHING);
+  vec2 words = vec2(oitToWord(nearKey | bits), OIT_NOTHING);
   int first = isRange ? 0 : bucket;
 #endif
   vec2 values = isRange ? vec2(-depth, depth) : words;

@@ -32,17 +32,19 @@ void oitLoadBuckets()
   {
 #ifdef OIT_PAIRS
     bool isEmpty = channels[2 * i] <= 0.0;
-    uint near = oitFromWord(channels[2 * i]) ^ 0x0fffffffu;
+    uint near = oitFromWord(channels[2 * i]) ^ oitGetColorMask();
     uint far = oitFromWord(channels[2 * i + 1]);
     // One fragment has the same colour in both, and the key of one is that of the other from the end.
-    bool isOne = ((near ^ far) & 0x0fffffffu) == 0u && (near >> 28u) + (far >> 28u) == 6u;
-    oitFar[i] = isEmpty || isOne ? vec4(0.0) : oitUnpackCoarse(far & 0x0fffffffu, 15u);
+    uint shift = oitGetKeyShift();
+    bool isOne = ((near ^ far) & oitGetColorMask()) == 0u &&
+      (near >> shift) + (far >> shift) == uint(oitKeys - 1);
+    oitFar[i] = isEmpty || isOne ? vec4(0.0) : oitUnpackBucket(far);
 #else
     bool isEmpty = channels[i] <= 0.0;
     uint near = oitFromWord(channels[i]);
     oitFar[i] = vec4(0.0);
 #endif
-    oitNear[i] = isEmpty ? vec4(0.0) : oitUnpackCoarse(near & 0x0fffffffu, 15u);
+    oitNear[i] = isEmpty ? vec4(0.0) : oitUnpackBucket(near);
   }
 }
 

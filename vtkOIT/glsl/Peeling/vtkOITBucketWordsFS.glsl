@@ -33,6 +33,21 @@ vec4 oitUnpackCoarse(uint payload, uint largestOpacity)
   return vec4(oitExpand(vec3(bytes) / 255.0), root * root);
 }
 
+// Of buckets: a key above opacity and colour. Where all fragments have the same opacity it needs no bits,
+// and the key has more.
+uniform int oitKeys; // 7, or 112
+
+uint oitGetKeyShift() { return oitKeys > 7 ? 24u : 28u; }
+uint oitGetColorMask() { return (1u << oitGetKeyShift()) - 1u; }
+
+uint oitPackBucket(vec4 color) { return oitPackCoarse(color, 15u) & oitGetColorMask(); }
+
+vec4 oitUnpackBucket(uint payload)
+{
+  vec4 color = oitUnpackCoarse(payload & oitGetColorMask(), 15u);
+  return vec4(color.rgb, oitKeys > 7 ? 0.5 : color.a);
+}
+
 // 15 bits each.
 uint oitPackFine(vec2 values)
 {
