@@ -44,6 +44,12 @@ bool HasOwnDepth(const vtkOITTarget& target)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkOITABufferEngine::GetAlgorithmName(const vtkOITSettings& settings) const
+{
+  return settings.DeferShading ? "A-buffer, shaded later" : "A-buffer";
+}
+
+//------------------------------------------------------------------------------
 std::string vtkOITABufferEngine::FindMissing(
   const vtkOITCapabilities& capabilities, const vtkOITSettings&) const
 {
@@ -67,6 +73,7 @@ void vtkOITABufferEngine::Release()
   this->SolidDepth.Release();
   this->Trial.Reset();
   this->Resolver.Release();
+  this->Lights.Release();
   this->NumberOfFragments = 0;
 }
 
@@ -74,7 +81,17 @@ void vtkOITABufferEngine::Release()
 std::int64_t vtkOITABufferEngine::GetSizeInBytes() const
 {
   return this->Store.GetSizeInBytes() + this->DepthCopy.GetSizeInBytes() +
-    this->SolidDepth.GetSizeInBytes();
+    this->SolidDepth.GetSizeInBytes() + this->Lights.GetSizeInBytes();
+}
+
+//------------------------------------------------------------------------------
+// Volumes read shaded colours, several samples would each be lit, and light has no material.
+void vtkOITABufferEngine::ChooseShading(const Task& task)
+{
+  const vtkOITFrame& frame = task.Frame;
+  const bool canDefer = task.Settings.DeferShading && !task.Settings.FloatColor &&
+    !frame.HasLight && !frame.Volumes && frame.Target.Samples == 0;
+  this->Defers = canDefer && this->Lights.Update(frame.Renderer) > 0;
 }
 
 //------------------------------------------------------------------------------
@@ -106,6 +123,8 @@ void vtkOITABufferEngine::ChooseShaders(const Task& task)
     shaders.LastOnTop && !this->HeadInTarget && task.Frame.Capabilities->FragmentInterlock;
   shaders.HasLight = task.Frame.HasLight;
   shaders.Volumes = task.Frame.Volumes != nullptr;
+  shaders.Deferred = this->Defers;
+  this->Gather.SetReplacements(this->Defers ? &this->DeferredText : nullptr);
   this->Gather.SetStage(shaders.GetGather());
   if (shaders.Volumes)
   {
@@ -156,6 +175,7 @@ vtkOITFailure vtkOITABufferEngine::Draw(const vtkOITFrame& frame, const vtkOITSe
   this->Gather.SetUniforms([this, &task](vtkShaderProgram* program, vtkProp* prop)
     { this->SetUniforms(task, program, prop); });
   this->ChooseCapture(task);
+  this->ChooseShading(task);
   this->DrawSolidDepth(task);
   this->Bands.Begin(frame.Rectangle, largestBand);
   vtkOITFailure failure = this->DrawBands(task);
@@ -259,6 +279,11 @@ vtkOITFailure vtkOITABufferEngine::DrawBand(const Task& task, std::int64_t& need
     {
       return failure;
     }
+    if (!counters.Overflow && this->Resolver.IsTooDeep(counters))
+    {
+      this->Defers = false;
+      continue;
+    }
     const std::int64_t capacity = this->Store.GetCapacity();
     if (!counters.Overflow)
     {
@@ -290,6 +315,7 @@ vtkOITFailure vtkOITABufferEngine::Resolve(
   const Task& task, vtkOITFragmentStore::Counters& counters)
 {
   task.Frame.BeginOutput(this->Band);
+  this->Resolver.SetLights(this->Defers ? &this->Lights : nullptr, this->HasSpecular);
   std::string fault;
   bool areDrawn = false;
   std::function<void()> drawVolumes;

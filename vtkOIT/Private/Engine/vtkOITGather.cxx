@@ -4,6 +4,7 @@
 
 #include "Private/Engine/vtkOITGatherHook.h"
 #include "Private/Engine/vtkOITPropKeys.h"
+#include "Private/Engine/vtkOITReplacements.h"
 #include "Private/GL/vtkOITProgram.h"
 
 #include "vtkInformation.h"
@@ -116,9 +117,24 @@ void vtkOITGatherHook::SetStage(vtkOITShaderText stage)
 }
 
 //------------------------------------------------------------------------------
+bool vtkOITGatherHook::PreReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
+{
+  if (this->Gather && this->Gather->Replacements)
+  {
+    this->Gather->Replacements->Before(fragmentShader, mapper, prop);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool vtkOITGatherHook::PostReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
+  if (this->Gather && this->Gather->Replacements)
+  {
+    this->Gather->Replacements->After(fragmentShader);
+  }
   const auto found = this->Wrapped.find(fragmentShader);
   if (found != this->Wrapped.end())
   {

@@ -19,6 +19,7 @@ struct vtkOITSettings
   double OcclusionRatio = 0.0;
   bool UseOcclusionQuery = true;
   bool SkipHiddenFragments = true;
+  bool DeferShading = false; // vtkOITDeferredPeelingPass
   bool SkipInvisibleProps = false;
   bool SkipSorting = false;
   bool ReuseFrames = false;
