@@ -265,8 +265,8 @@ const std::vector<LightArrangement>& GetLightArrangements()
         AddLight(r, 1.0, 2.0, 0.0)->SwitchOff();
       },
       false },
-    { "a near light",
-      [](vtkRenderer* r) { AddLight(r, 0.5, 0.7, 0.8)->SetPositional(true); }, false },
+    { "a near light", [](vtkRenderer* r) { AddLight(r, 0.5, 0.7, 0.8)->SetPositional(true); },
+      false },
     { "a fading light",
       [](vtkRenderer* r)
       {

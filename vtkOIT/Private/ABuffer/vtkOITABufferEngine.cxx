@@ -46,7 +46,7 @@ bool HasOwnDepth(const vtkOITTarget& target)
 //------------------------------------------------------------------------------
 std::string vtkOITABufferEngine::GetAlgorithmName(const vtkOITSettings& settings) const
 {
-  return settings.DeferShading ? "A-buffer, shaded later" : "A-buffer";
+  return settings.DeferShading && !this->CannotDefer ? "deferred A-buffer" : "A-buffer";
 }
 
 //------------------------------------------------------------------------------
@@ -91,7 +91,8 @@ void vtkOITABufferEngine::ChooseShading(const Task& task)
   const vtkOITFrame& frame = task.Frame;
   const bool canDefer = task.Settings.DeferShading && !task.Settings.FloatColor &&
     !frame.HasLight && !frame.Volumes && frame.Target.Samples == 0;
-  this->Defers = canDefer && this->Lights.Update(frame.Renderer) > 0;
+  this->Defers = canDefer && !this->Lights.Update(frame) && this->Lights.GetNumberOfLights() > 0;
+  this->CannotDefer = !this->Defers;
 }
 
 //------------------------------------------------------------------------------
@@ -282,6 +283,7 @@ vtkOITFailure vtkOITABufferEngine::DrawBand(const Task& task, std::int64_t& need
     if (!counters.Overflow && this->Resolver.IsTooDeep(counters))
     {
       this->Defers = false;
+      this->CannotDefer = true;
       continue;
     }
     const std::int64_t capacity = this->Store.GetCapacity();

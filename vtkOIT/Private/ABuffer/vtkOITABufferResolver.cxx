@@ -330,14 +330,14 @@ vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
 }
 
 //------------------------------------------------------------------------------
-vtkOITFailure vtkOITABufferResolver::Composite(const vtkOITFrame& frame,
-  const vtkOITFragmentStore& store, const std::array<int, 2>& tileClass)
+vtkOITFailure vtkOITABufferResolver::Composite(
+  const vtkOITFrame& frame, const vtkOITFragmentStore& store, const std::array<int, 2>& tileClass)
 {
   const bool isLit = this->Shaders.Deferred && this->Lights;
   const bool hasSpecular = isLit && this->HasSpecular;
   if (isLit)
   {
-    this->Lights->Bind(frame, OIT_UNIT_LIGHTS);
+    this->Lights->Bind(frame.GLState, OIT_UNIT_LIGHTS);
   }
   vtkOITFailure failure = this->DrawTiles(
     hasSpecular ? this->SpecularStage : this->CompositeStage, frame, store, tileClass,

@@ -32,8 +32,7 @@ constexpr const char* Kept = "oitAmbient = ambientColor;\n"
                              "  oitPower = specularPower;\n"
                              "  oitNormal = normalVCVSOutput;\n"
                              "  gl_FragData[0] = vec4(1.0, 1.0, 1.0, opacity);\n";
-constexpr const char* Unlit =
-  "gl_FragData[0] = vec4(ambientColor + diffuseColor, opacity);\n";
+constexpr const char* Unlit = "gl_FragData[0] = vec4(ambientColor + diffuseColor, opacity);\n";
 constexpr const char* Variables = "#define OIT_CAPTURES\n"
                                   "vec3 oitAmbient = vec3(0.0);\n"
                                   "vec3 oitDiffuse = vec3(0.0);\n"

@@ -25,7 +25,7 @@
 namespace
 {
 constexpr int FloatsPerLight = 16;
-constexpr int HeadlightOnly = 1;   // of vtkOpenGLRenderer::GetLightingComplexity()
+constexpr int HeadlightOnly = 1;    // of vtkOpenGLRenderer::GetLightingComplexity()
 constexpr double WidestCone = 90.0; // degrees; from there on a positional light has none
 
 enum Kind
@@ -113,14 +113,22 @@ LightTexels Describe(vtkLight* light, Kind kind, const ToView& toView)
 }
 
 //------------------------------------------------------------------------------
-int vtkOITLights::Update(vtkRenderer* renderer)
+vtkOITFailure vtkOITLights::Update(const vtkOITFrame& frame)
+{
+  this->Attach(frame.Window);
+  this->Find(frame.Renderer);
+  return this->Ends[2] > 0 ? this->Upload() : vtkOITFailure();
+}
+
+//------------------------------------------------------------------------------
+void vtkOITLights::Find(vtkRenderer* renderer)
 {
   auto* lighting = vtkOpenGLRenderer::SafeDownCast(renderer);
   this->Ends = {};
   this->Texels.clear();
   if (!lighting || !vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera()))
   {
-    return 0;
+    return;
   }
   const int complexity = static_cast<int>(lighting->GetLightingComplexity());
   this->IsHeadlight = complexity == HeadlightOnly;
@@ -145,37 +153,38 @@ int vtkOITLights::Update(vtkRenderer* renderer)
     const std::array<float, 3> ahead = { 0.0f, 0.0f, -1.0f };
     std::copy(ahead.begin(), ahead.end(), this->Texels.begin());
   }
-  return this->GetNumberOfLights();
 }
 
 //------------------------------------------------------------------------------
-void vtkOITLights::Bind(const vtkOITFrame& frame, int textureUnit)
+vtkOITFailure vtkOITLights::Upload()
 {
-  this->Attach(frame.Window);
   const auto bytes = static_cast<GLsizeiptr>(this->Texels.size() * sizeof(float));
-  GLint bound = 0;
-  glGetIntegerv(GL_TEXTURE_BUFFER, &bound);
+  const vtkOITAllocation allocation;
+  GLint buffer = 0;
+  GLint texture = 0;
+  glGetIntegerv(GL_TEXTURE_BUFFER, &buffer);
+  glGetIntegerv(GL_TEXTURE_BINDING_BUFFER, &texture);
   if (this->Buffer == 0)
   {
     glGenBuffers(1, &this->Buffer);
     glGenTextures(1, &this->Texture);
   }
   glBindBuffer(GL_TEXTURE_BUFFER, this->Buffer);
-  const bool grows = bytes > this->Capacity;
-  if (grows)
-  {
-    this->Capacity = std::max(2 * this->Capacity, bytes);
-  }
   // A new memory each time, so that nobody waits for the last frame.
-  glBufferData(GL_TEXTURE_BUFFER, this->Capacity, nullptr, GL_STREAM_DRAW);
-  glBufferSubData(GL_TEXTURE_BUFFER, 0, bytes, this->Texels.data());
-  glBindBuffer(GL_TEXTURE_BUFFER, bound);
-  frame.GLState->vtkglActiveTexture(GL_TEXTURE0 + textureUnit);
+  glBufferData(GL_TEXTURE_BUFFER, bytes, this->Texels.data(), GL_STREAM_DRAW);
   glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
-  if (grows)
-  {
-    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, this->Buffer);
-  }
+  glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, this->Buffer);
+  glBindTexture(GL_TEXTURE_BUFFER, texture);
+  glBindBuffer(GL_TEXTURE_BUFFER, buffer);
+  this->Capacity = bytes;
+  return allocation.Check("a buffer of lights");
+}
+
+//------------------------------------------------------------------------------
+void vtkOITLights::Bind(vtkOpenGLState* state, int textureUnit) const
+{
+  state->vtkglActiveTexture(GL_TEXTURE0 + textureUnit);
+  glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #define vtkOITLights_h
 
 #include "Private/Frame/vtkOITCompatibility.h"
+#include "Private/Frame/vtkOITFailure.h"
 #include "Private/GL/vtkOITContextObjects.h"
 
 #include <array>
@@ -25,12 +26,12 @@ class vtkOITLights : public vtkOITContextObjects
 public:
   ~vtkOITLights() override { this->Release(); }
 
-  /// Takes those that are switched on. Returns their number.
-  int Update(vtkRenderer* renderer);
+  /// Takes those that are switched on, and copies them to the context.
+  vtkOITFailure Update(const vtkOITFrame& frame);
   int GetNumberOfLights() const { return this->Ends[2]; }
 
-  /// Copies them to the context and binds them as a buffer texture of the unit.
-  void Bind(const vtkOITFrame& frame, int textureUnit);
+  /// Binds them as a buffer texture of the unit.
+  void Bind(vtkOpenGLState* state, int textureUnit) const;
   void Unbind(vtkOpenGLState* state, int textureUnit) const;
 
   /// Sets the uniforms of a program that includes vtkOITDeferredLightFS.glsl.
@@ -41,6 +42,8 @@ public:
 private:
   void Delete() override;
   void Forget() override;
+  void Find(vtkRenderer* renderer);
+  vtkOITFailure Upload();
 
   std::vector<float> Texels;
   std::array<int, 3> Ends{}; // of the directional, the positional and the spot lights

@@ -36,7 +36,10 @@ public:
 
   /// What happens to the texts of mappers before that, or nullptr (default). To be changed together
   /// with the stage; it must outlive the gather.
-  void SetReplacements(const vtkOITReplacements* replacements) { this->Replacements = replacements; }
+  void SetReplacements(const vtkOITReplacements* replacements)
+  {
+    this->Replacements = replacements;
+  }
 
   /// Called before each draw of a prop, of its program, which is current.
   using UniformSetter = std::function<void(vtkShaderProgram* program, vtkProp* prop)>;

@@ -26,7 +26,13 @@
 vec4 oitGetColorOf(OITFragment fragment, uint node)
 {
   OITMaterial m = oitUnpackMaterial(fragment.Color, oitLoad(OIT_WORD(node) + 1u));
-  return vec4(oitLight(m, uintBitsToFloat(fragment.Key)), oitUnpack(uvec2(fragment.Color.x)).r);
+  vec3 color = oitLight(m, uintBitsToFloat(fragment.Key));
+#ifdef OIT_CLAMP_COLOR
+  const float largest = 1.0;
+#else
+  const float largest = 65504.0; // of what is stored shaded
+#endif
+  return vec4(min(max(color, 0.0), largest), oitUnpack(uvec2(fragment.Color.x)).r);
 }
 #else
 #define oitGetColorOf(fragment, node) oitUnpack(fragment.Color)
