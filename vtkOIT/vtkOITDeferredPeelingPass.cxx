@@ -22,6 +22,6 @@ vtkOITDeferredPeelingPass::~vtkOITDeferredPeelingPass() = default;
 vtkOITSettings vtkOITDeferredPeelingPass::MakeSettings(const vtkOITCapabilities& capabilities) const
 {
   vtkOITSettings settings = this->Superclass::MakeSettings(capabilities);
-  settings.DeferShading = true;
+  settings.DeferShading = vtkOITSettings::Deferral::Always;
   return settings;
 }

@@ -46,7 +46,10 @@ bool HasOwnDepth(const vtkOITTarget& target)
 //------------------------------------------------------------------------------
 std::string vtkOITABufferEngine::GetAlgorithmName(const vtkOITSettings& settings) const
 {
-  return settings.DeferShading && !this->CannotDefer ? "deferred A-buffer" : "A-buffer";
+  const bool defers = this->HasDrawn
+    ? this->Defers
+    : settings.DeferShading == vtkOITSettings::Deferral::Always;
+  return defers ? "deferred A-buffer" : "A-buffer";
 }
 
 //------------------------------------------------------------------------------
@@ -89,10 +92,14 @@ std::int64_t vtkOITABufferEngine::GetSizeInBytes() const
 void vtkOITABufferEngine::ChooseShading(const Task& task)
 {
   const vtkOITFrame& frame = task.Frame;
-  const bool canDefer = task.Settings.DeferShading && !task.Settings.FloatColor &&
+  using Deferral = vtkOITSettings::Deferral;
+  const Deferral deferral = task.Settings.DeferShading;
+  const bool canDefer = deferral != Deferral::Never && !task.Settings.FloatColor &&
     !frame.HasLight && !frame.Volumes && frame.Target.Samples == 0;
-  this->Defers = canDefer && !this->Lights.Update(frame) && this->Lights.GetNumberOfLights() > 0;
-  this->CannotDefer = !this->Defers;
+  const bool isLit =
+    canDefer && !this->Lights.Update(frame) && this->Lights.GetNumberOfLights() > 0;
+  this->Defers = isLit && (deferral == Deferral::Always || this->Lights.Pays(this->Defers));
+  this->HasDrawn = true;
 }
 
 //------------------------------------------------------------------------------
@@ -283,7 +290,6 @@ vtkOITFailure vtkOITABufferEngine::DrawBand(const Task& task, std::int64_t& need
     if (!counters.Overflow && this->Resolver.IsTooDeep(counters))
     {
       this->Defers = false;
-      this->CannotDefer = true;
       continue;
     }
     const std::int64_t capacity = this->Store.GetCapacity();

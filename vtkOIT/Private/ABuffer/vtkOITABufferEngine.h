@@ -74,8 +74,8 @@ private:
   bool HeadInTargetWorks = true;
   vtkOITDeferredText DeferredText;
   vtkOITLights Lights;
-  bool Defers = false;      // shading, in this frame
-  bool CannotDefer = false; // in the last frame
+  bool Defers = false;      // shading, in this frame or the last one
+  bool HasDrawn = false;    // a frame
   bool HasSpecular = false; // a material of this frame reflects lights
   bool IsWhole = false;     // the last frame was drawn in one band, which the store still holds
   std::int64_t NumberOfFragments = 0; // of the last frame

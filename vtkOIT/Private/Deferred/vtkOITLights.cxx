@@ -28,6 +28,12 @@ constexpr int FloatsPerLight = 16;
 constexpr int HeadlightOnly = 1;    // of vtkOpenGLRenderer::GetLightingComplexity()
 constexpr double WidestCone = 90.0; // degrees; from there on a positional light has none
 
+// What a light costs when mappers compute it for each fragment, less what it costs later, in the unit of
+// a directional one; and what it takes to make up for larger fragments that are sorted in memory.
+// Measured with llvmpipe: docs/vtkOITDeferredPeelingPass.md.
+constexpr double PositionalCost = 2.2;
+constexpr double Overhead = 7.8;
+
 enum Kind
 {
   Directional,
@@ -178,6 +184,14 @@ vtkOITFailure vtkOITLights::Upload()
   glBindBuffer(GL_TEXTURE_BUFFER, buffer);
   this->Capacity = bytes;
   return allocation.Check("a buffer of lights");
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITLights::Pays(bool isDone) const
+{
+  const int positional = this->Ends[2] - this->Ends[0];
+  const double saved = this->Ends[0] + PositionalCost * positional;
+  return saved > (isDone ? Overhead / 2.0 : Overhead);
 }
 
 //------------------------------------------------------------------------------

@@ -29,6 +29,9 @@ public:
   /// Takes those that are switched on, and copies them to the context.
   vtkOITFailure Update(const vtkOITFrame& frame);
   int GetNumberOfLights() const { return this->Ends[2]; }
+  /// Whether there are so many that it pays to light fragments after they were sorted; `isDone`: it was
+  /// done in the last frame, which half as many are enough for.
+  bool Pays(bool isDone) const;
 
   /// Binds them as a buffer texture of the unit.
   void Bind(vtkOpenGLState* state, int textureUnit) const;
