@@ -45,6 +45,7 @@ void vtkOITAutoPass::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "SkipSorting: " << this->SkipSorting << "\n"
      << indent << "SkipHiddenFragments: " << this->SkipHiddenFragments << "\n"
      << indent << "ReuseFrames: " << this->ReuseFrames << "\n"
+     << indent << "DeferShading: " << this->DeferShading << "\n"
      << indent << "BufferLimit: " << this->GetBufferLimit() << "\n"
      << indent << "AlgorithmReason: " << this->GetAlgorithmReason() << "\n"
      << indent << "SkipSummary: " << this->GetSkipSummary() << "\n";
@@ -98,6 +99,8 @@ vtkOITSettings vtkOITAutoPass::MakeSettings(const vtkOITCapabilities& capabiliti
   settings.SkipSorting = this->SkipSorting;
   settings.SkipHiddenFragments = this->SkipHiddenFragments;
   settings.ReuseFrames = this->ReuseFrames;
+  settings.DeferShading = this->DeferShading ? vtkOITSettings::Deferral::WhereItPays
+                                             : vtkOITSettings::Deferral::Never;
   return settings;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/ABuffer/vtkOITABufferResolver.h"
 
+#include "Private/Deferred/vtkOITLights.h"
 #include "Private/Frame/vtkOITFrame.h"
 #include "Private/GL/vtkOITOutput.h"
 
@@ -34,7 +35,7 @@ bool IsOne(const char* value)
   return value && std::strcmp(value, "1") == 0;
 }
 
-// Loop iterations that one draw of Sort may spend on a list, below llvmpipe's 65535.
+// Loop iterations that one draw may spend on a list, below llvmpipe's 65535.
 constexpr int SortBudget = 60000;
 
 /// The draws of Sort for lists of `length` nodes, as first and last merge width of each.
@@ -93,6 +94,7 @@ void vtkOITABufferResolver::Release()
     stage.Release();
   }
   this->CompositeStage.Release();
+  this->SpecularStage.Release();
 }
 
 //------------------------------------------------------------------------------
@@ -106,7 +108,7 @@ vtkOITFailure vtkOITABufferResolver::Resolve(const vtkOITFrame& frame, vtkOITFra
   if (sortsAll || (this->CompilesAtOnce && this->DepthComplexity.IsEmpty()))
   {
     vtkOITFailure failure = this->Count(frame, store, counters);
-    if (failure || counters.Overflow)
+    if (failure || counters.Overflow || this->IsTooDeep(counters))
     {
       return failure;
     }
@@ -343,7 +345,6 @@ vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
   const vtkOITFragmentStore& store, vtkOITFragmentStore::Counters& counters,
   const std::array<int, 2>& tileClass, const std::function<void()>& drawVolumes)
 {
-  const auto getComposite = [this] { return this->Shaders.GetComposite(); };
   const bool hasLists = std::any_of(
     counters.Tiles.begin(), counters.Tiles.end(), [](std::uint32_t n) { return n > 0; });
   vtkOITFailure failure;
@@ -353,8 +354,8 @@ vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
   }
   if (drawVolumes && !failure)
   {
-    failure =
-      this->CompositeStage.Prepare(frame.Window, GetTileVertexShader().c_str(), getComposite);
+    failure = this->CompositeStage.Prepare(frame.Window, GetTileVertexShader().c_str(),
+      [this] { return this->Shaders.GetComposite(false); });
     if (!failure)
     {
       drawVolumes();
@@ -365,13 +366,48 @@ vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
   }
   if (hasLists && !failure)
   {
-    failure = this->DrawTiles(this->CompositeStage, frame, store, tileClass, getComposite);
+    failure = this->Composite(frame, store, tileClass);
   }
   if (this->Threshold > 0.0f && hasLists)
   {
     counters.Skipped = store.ReadSkipped();
   }
   return failure;
+}
+
+//------------------------------------------------------------------------------
+vtkOITFailure vtkOITABufferResolver::Composite(
+  const vtkOITFrame& frame, const vtkOITFragmentStore& store, const std::array<int, 2>& tileClass)
+{
+  const bool isLit = this->Shaders.Deferred && this->Lights;
+  const bool hasSpecular = isLit && this->HasSpecular;
+  if (isLit)
+  {
+    this->Lights->Bind(frame.GLState, OIT_UNIT_LIGHTS);
+  }
+  vtkOITFailure failure = this->DrawTiles(
+    hasSpecular ? this->SpecularStage : this->CompositeStage, frame, store, tileClass,
+    [&] { return this->Shaders.GetComposite(hasSpecular); },
+    [&](vtkShaderProgram* program)
+    {
+      if (isLit)
+      {
+        this->Lights->SetUniforms(program, frame, OIT_UNIT_LIGHTS);
+      }
+    });
+  if (isLit)
+  {
+    this->Lights->Unbind(frame.GLState, OIT_UNIT_LIGHTS);
+  }
+  return failure;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITABufferResolver::IsTooDeep(const vtkOITFragmentStore::Counters& counters) const
+{
+  const std::int64_t longest = *std::max_element(counters.Tiles.begin(), counters.Tiles.end());
+  const int lights = this->Lights ? this->Lights->GetNumberOfLights() : 0;
+  return this->Shaders.Deferred && longest * (1 + lights) > SortBudget;
 }
 
 //------------------------------------------------------------------------------

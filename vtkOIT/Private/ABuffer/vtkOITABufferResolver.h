@@ -12,6 +12,7 @@
 #include <utility>
 
 struct vtkOITFrame;
+class vtkOITLights;
 class vtkShaderProgram;
 
 /**
@@ -28,6 +29,7 @@ class vtkShaderProgram;
  *
  * Multisampled framebuffers: Count, then all lists are sorted and composited once a sample. Frames
  * with volumes: Count, all lists are sorted, volumes are drawn, what they leave is composited.
+ * Deferred shading: Count, all lists are sorted, their fragments are lit and composited.
  */
 class vtkOITABufferResolver
 {
@@ -50,7 +52,19 @@ public:
   /// Behind a transmittance of at most this, long lists need not be composited. Default 0.
   void SetThreshold(float threshold) { this->Threshold = threshold; }
 
+  /// With shaders for deferred shading: the lights, and whether a material reflects them. They must
+  /// outlive the next Resolve().
+  void SetLights(vtkOITLights* lights, bool hasSpecular)
+  {
+    this->Lights = lights;
+    this->HasSpecular = hasSpecular;
+  }
+
   void Release();
+
+  /// Whether lists are too long for all of their fragments to be lit in one draw of a shader: then
+  /// Resolve() has drawn nothing.
+  bool IsTooDeep(const vtkOITFragmentStore::Counters& counters) const;
 
   /// The longest list that Sort and Composite can handle on every driver: one merge over it stays
   /// below llvmpipe's 65535 loop iterations of a shader.
@@ -85,6 +99,8 @@ private:
   vtkOITFailure Sort(vtkOITScreenStage& stage, int runSize, const vtkOITFrame& frame,
     const vtkOITFragmentStore& store, const std::array<int, 2>& tileClass,
     const std::pair<int, int>& widths);
+  vtkOITFailure Composite(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
+    const std::array<int, 2>& tileClass);
   vtkOITFailure DrawLists(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
     vtkOITFragmentStore::Counters& counters, const std::array<int, 2>& tileClass,
     const std::function<void()>& drawVolumes = {});
@@ -107,6 +123,9 @@ private:
   static constexpr std::array<int, 2> ShortLists = { 4, 8 };
   std::array<vtkOITScreenStage, ShortLists.size()> ShortSortStages;
   vtkOITScreenStage CompositeStage;
+  vtkOITScreenStage SpecularStage; // Composite where materials reflect lights
+  vtkOITLights* Lights = nullptr;
+  bool HasSpecular = false;
 };
 
 #endif
