@@ -291,8 +291,8 @@ void CheckSingleShot(Report& report, Rig& rig, const Setup& setup)
         isKept ? Tolerance{ 3e-4, 3e-4 } : Tolerance{ 0.004, 0.004 });
       report.Check(pass->GetExact() == isExact && (pass->GetErrorBound() < 0.01) == isKept &&
           (!isAdaptive || pass->GetNumberOfLostFragments() == 0),
-        "single shot, " + std::to_string(layers) + " layers: " +
-          std::to_string(pass->GetNumberOfLostFragments()) + " lost");
+        "single shot, " + std::to_string(layers) +
+          " layers: " + std::to_string(pass->GetNumberOfLostFragments()) + " lost");
     }
   }
   pass->SetMaximumNumberOfPeels(0);

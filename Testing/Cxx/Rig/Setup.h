@@ -54,7 +54,7 @@ struct Setup
   /// The A-buffer compiles its sorting networks as soon as it could use them (VTKOIT_NETWORKS), so that
   /// tests of a few small frames test them; the automatic pass never does in tests.
   bool HasNetworksAtOnce = true;
-  bool IsLong = false;                 // --long: also what takes too long to be run each time
+  bool IsLong = false; // --long: also what takes too long to be run each time
 
   std::string Describe() const;
 

@@ -141,7 +141,8 @@ vtkOITFailure vtkOITABufferResolver::DrawWhatIsLeft(
     glMemoryBarrier(Barriers);
     const bool hasNetwork = this->SecondChanceStage.IsPrepared();
     failure = this->DrawTiles(hasNetwork ? this->SecondChanceStage : this->WalkStage, frame, store,
-      TilesToTryAgain, [this, hasNetwork]
+      TilesToTryAgain,
+      [this, hasNetwork]
       { return hasNetwork ? this->Shaders.GetSecondChance() : this->Shaders.GetWalk(); });
     counters = store.ReadCounters();
   }
@@ -205,8 +206,7 @@ bool vtkOITABufferResolver::Earns(std::size_t tileClass, std::int64_t tiles, boo
     return true;
   }
   this->Walked[tileClass] += tiles;
-  const bool earns =
-    this->CompilesAtOnce || (isFree && this->Walked[tileClass] > TilesToCompile);
+  const bool earns = this->CompilesAtOnce || (isFree && this->Walked[tileClass] > TilesToCompile);
   isFree = isFree && !earns;
   return earns;
 }
@@ -230,9 +230,10 @@ std::vector<vtkOITABufferResolver::TileDraw> vtkOITABufferResolver::FindDraws(
     vtkOITScreenStage& stage = this->GetStage(i);
     if (tiles[i] > 0 && this->Earns(i, tiles[i], isFree))
     {
-      draws.push_back({ &stage, { smallest, largest },
-        [this, i, size] { return i < LongLists ? this->Shaders.GetResolve(size)
-                                               : this->Shaders.GetSecondChance(); } });
+      draws.push_back({ &stage, { smallest, largest }, [this, i, size] {
+                         return i < LongLists ? this->Shaders.GetResolve(size)
+                                              : this->Shaders.GetSecondChance();
+                       } });
     }
     else if (tiles[i] > 0 && !draws.empty() && draws.back().Stage == &this->WalkStage)
     {

@@ -50,8 +50,9 @@ std::map<vtkShader::ReplacementSpec, vtkShader::ReplacementValue> FindReplacemen
 {
   auto* property =
     prop ? vtkOpenGLShaderProperty::SafeDownCast(prop->GetShaderProperty()) : nullptr;
-  auto replacements = property ? property->GetAllShaderReplacements()
-                               : std::map<vtkShader::ReplacementSpec, vtkShader::ReplacementValue>();
+  auto replacements = property
+    ? property->GetAllShaderReplacements()
+    : std::map<vtkShader::ReplacementSpec, vtkShader::ReplacementValue>();
   for (auto it = replacements.begin(); it != replacements.end();)
   {
     it = it->first.ReplaceFirst ? replacements.erase(it) : std::next(it);
@@ -80,8 +81,7 @@ void ReplaceLast(std::array<std::string, 3>& texts, vtkProp* prop)
     const int which = type == vtkShader::Vertex ? 0 : type == vtkShader::Geometry ? 1 : 2;
     if (which < 2 || type == vtkShader::Fragment)
     {
-      vtkShaderProgram::Substitute(
-        texts[which], from.OriginalValue, to.Replacement, to.ReplaceAll);
+      vtkShaderProgram::Substitute(texts[which], from.OriginalValue, to.Replacement, to.ReplaceAll);
     }
   }
 }

@@ -77,7 +77,7 @@ private:
   vtkOITShaderText Stage;
   // Other passes around ours may change where the props are drawn into, before each draw.
   std::optional<vtkOITDrawBinding> Binding;
-  std::deque<Text> Known; // the last one first
+  std::deque<Text> Known;                       // the last one first
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of Known, and that is drawn into
   vtkOITFailure Failure;                        // while drawing
   int NumberOfDraws = 0;
