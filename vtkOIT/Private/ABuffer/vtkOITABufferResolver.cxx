@@ -12,8 +12,6 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <cstring>
 #include <limits>
 
 namespace
@@ -25,15 +23,6 @@ constexpr std::array<int, 2> TilesWithLists = { -1, OIT_HAS_LISTS };
 
 constexpr GLbitfield Barriers =
   GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT;
-
-// Tiles that Walk has drawn before the network for them is compiled: on llvmpipe that takes as long as the
-// network saves on 2500 tiles full of the longest lists, or 15000 of isosurfaces, whatever its size.
-constexpr std::int64_t TilesToCompile = 4000;
-
-bool IsOne(const char* value)
-{
-  return value && std::strcmp(value, "1") == 0;
-}
 
 // Loop iterations that one draw may spend on a list, below llvmpipe's 65535.
 constexpr int SortBudget = 60000;
@@ -61,12 +50,6 @@ const std::string& GetTileVertexShader()
 }
 
 //------------------------------------------------------------------------------
-vtkOITABufferResolver::vtkOITABufferResolver()
-  : CompilesAtOnce(IsOne(std::getenv("VTKOIT_NETWORKS")))
-{
-}
-
-//------------------------------------------------------------------------------
 void vtkOITABufferResolver::SetShaders(const vtkOITABufferShaders& shaders)
 {
   if (!(shaders == this->Shaders))
@@ -80,14 +63,8 @@ void vtkOITABufferResolver::SetShaders(const vtkOITABufferShaders& shaders)
 void vtkOITABufferResolver::Release()
 {
   this->DepthComplexity.Clear();
-  this->Walked = {};
-  this->WalkStage.Release();
   this->CountStage.Release();
-  for (vtkOITScreenStage& stage : this->ResolveStages)
-  {
-    stage.Release();
-  }
-  this->SecondChanceStage.Release();
+  this->TileStages.Release();
   this->SortStage.Release();
   for (vtkOITScreenStage& stage : this->ShortSortStages)
   {
@@ -105,7 +82,7 @@ vtkOITFailure vtkOITABufferResolver::Resolve(const vtkOITFrame& frame, vtkOITFra
   glMemoryBarrier(Barriers);
   counters = {};
   const bool sortsAll = this->Shaders.SortsAll();
-  if (sortsAll || (this->CompilesAtOnce && this->DepthComplexity.IsEmpty()))
+  if (sortsAll || (this->TileStages.CompileAtOnce() && this->DepthComplexity.IsEmpty()))
   {
     vtkOITFailure failure = this->Count(frame, store, counters);
     if (failure || counters.Overflow || this->IsTooDeep(counters))
@@ -118,8 +95,9 @@ vtkOITFailure vtkOITABufferResolver::Resolve(const vtkOITFrame& frame, vtkOITFra
     this->DepthComplexity.GetExpected(store.GetTileGrid());
   store.SetExpected(expected);
   this->PrepareOutput(frame, store);
-  vtkOITFailure failure = sortsAll ? this->DrawLists(frame, store, counters, AllTiles, drawVolumes)
-                                   : this->DrawExpected(frame, store, this->FindDraws(expected));
+  vtkOITFailure failure = sortsAll
+    ? this->DrawLists(frame, store, counters, AllTiles, drawVolumes)
+    : this->DrawExpected(frame, store, this->TileStages.FindDraws(expected, this->Shaders));
   if (!failure && !sortsAll)
   {
     const vtkOITFailure later = this->DrawWhatIsLeft(frame, store, counters);
@@ -139,11 +117,8 @@ vtkOITFailure vtkOITABufferResolver::DrawWhatIsLeft(
   if (!counters.Overflow && (counters.Marks & OIT_TRY_AGAIN))
   {
     glMemoryBarrier(Barriers);
-    const bool hasNetwork = this->SecondChanceStage.IsPrepared();
-    failure = this->DrawTiles(hasNetwork ? this->SecondChanceStage : this->WalkStage, frame, store,
-      TilesToTryAgain,
-      [this, hasNetwork]
-      { return hasNetwork ? this->Shaders.GetSecondChance() : this->Shaders.GetWalk(); });
+    const TileDraw again = this->TileStages.FindSecondChance(this->Shaders);
+    failure = this->DrawTiles(*again.Stage, frame, store, TilesToTryAgain, again.GetFragmentShader);
     counters = store.ReadCounters();
   }
   if (!failure && !counters.Overflow && (counters.Marks & OIT_HAS_LISTS))
@@ -181,72 +156,6 @@ void vtkOITABufferResolver::PrepareOutput(
   state->vtkglViewport(
     grid.FirstColumn * size, grid.FirstRow * size, grid.Columns * size, grid.Rows * size);
   store.BindTiles(state, OIT_UNIT_STATE);
-}
-
-//------------------------------------------------------------------------------
-std::size_t vtkOITABufferResolver::FindClass(std::uint32_t length)
-{
-  const auto& sizes = vtkOITABufferShaders::NetworkSizes;
-  return static_cast<std::size_t>(
-    std::lower_bound(sizes.begin(), sizes.end(), static_cast<int>(length)) - sizes.begin());
-}
-
-//------------------------------------------------------------------------------
-vtkOITScreenStage& vtkOITABufferResolver::GetStage(std::size_t tileClass)
-{
-  return tileClass == LongLists ? this->SecondChanceStage : this->ResolveStages[tileClass];
-}
-
-//------------------------------------------------------------------------------
-// Whether tiles of a class are drawn by its own program from now on. `isFree`: this frame has compiled none yet.
-bool vtkOITABufferResolver::Earns(std::size_t tileClass, std::int64_t tiles, bool& isFree)
-{
-  if (this->GetStage(tileClass).IsPrepared())
-  {
-    return true;
-  }
-  this->Walked[tileClass] += tiles;
-  const bool earns = this->CompilesAtOnce || (isFree && this->Walked[tileClass] > TilesToCompile);
-  isFree = isFree && !earns;
-  return earns;
-}
-
-//------------------------------------------------------------------------------
-std::vector<vtkOITABufferResolver::TileDraw> vtkOITABufferResolver::FindDraws(
-  const std::vector<std::uint32_t>& expected)
-{
-  std::array<std::int64_t, Classes> tiles{};
-  for (const std::uint32_t length : expected)
-  {
-    ++tiles[FindClass(length)];
-  }
-  bool isFree = true;
-  std::vector<TileDraw> draws;
-  int smallest = 0;
-  for (std::size_t i = 0; i < Classes; ++i)
-  {
-    const int size = vtkOITABufferShaders::NetworkSizes[std::min(i, LongLists - 1)];
-    const int largest = i < LongLists ? size : std::numeric_limits<int>::max();
-    vtkOITScreenStage& stage = this->GetStage(i);
-    if (tiles[i] > 0 && this->Earns(i, tiles[i], isFree))
-    {
-      draws.push_back({ &stage, { smallest, largest }, [this, i, size] {
-                         return i < LongLists ? this->Shaders.GetResolve(size)
-                                              : this->Shaders.GetSecondChance();
-                       } });
-    }
-    else if (tiles[i] > 0 && !draws.empty() && draws.back().Stage == &this->WalkStage)
-    {
-      draws.back().TileClass[1] = largest; // no tiles are between
-    }
-    else if (tiles[i] > 0)
-    {
-      draws.push_back(
-        { &this->WalkStage, { smallest, largest }, [this] { return this->Shaders.GetWalk(); } });
-    }
-    smallest = largest < std::numeric_limits<int>::max() ? largest + 1 : largest;
-  }
-  return draws;
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #include "Private/ABuffer/vtkOITABufferShaders.h"
 #include "Private/ABuffer/vtkOITDepthComplexityMap.h"
 #include "Private/ABuffer/vtkOITFragmentStore.h"
+#include "Private/ABuffer/vtkOITTileStages.h"
 #include "Private/GL/vtkOITScreenStage.h"
 
 #include <array>
@@ -19,9 +20,8 @@ class vtkShaderProgram;
  * What an A-buffer does after capture, for the current rectangle of a store:
  *
  * 1. Each tile is drawn with the smallest sorting network that takes the depth complexity it had
- *    in the last frame; beyond the largest one, as in step 3. Networks take long to compile, and a
- *    picture may be the only one: Walk takes tiles until a network would have paid for its compiler,
- *    and at most one is compiled a frame.
+ *    in the last frame, or by Walk until that network has been earned (vtkOITTileStages); beyond the
+ *    largest one, as in step 3.
  * 2. Counters and tiles are read back: normally the only time that the pass waits for the GPU.
  * 3. Tiles with pixels that were left, if any, get a second chance by Walk or, where many lists are
  *    long, by SecondChance, in which the nearest fragments of longer lists may be enough; other long
@@ -34,10 +34,6 @@ class vtkShaderProgram;
 class vtkOITABufferResolver
 {
 public:
-  /// In the environment VTKOIT_NETWORKS=1 has Count find the depth complexity of the first frame, and
-  /// networks compiled as soon as there are tiles for them: for tests, and to measure steady frames.
-  vtkOITABufferResolver();
-
   /// Programs for these shaders from now on.
   void SetShaders(const vtkOITABufferShaders& shaders);
 
@@ -74,20 +70,7 @@ private:
   vtkOITFailure Count(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
     vtkOITFragmentStore::Counters& counters);
   void PrepareOutput(const vtkOITFrame& frame, const vtkOITFragmentStore& store) const;
-  /// A draw of the tiles of one class.
-  struct TileDraw
-  {
-    vtkOITScreenStage* Stage;
-    std::array<int, 2> TileClass;
-    std::function<std::string()> GetFragmentShader;
-  };
-  /// The classes of tiles are those of NetworkSizes, and one for longer lists.
-  static constexpr std::size_t Classes = vtkOITABufferShaders::NetworkSizes.size() + 1;
-  static constexpr std::size_t LongLists = Classes - 1;
-  static std::size_t FindClass(std::uint32_t length);
-  vtkOITScreenStage& GetStage(std::size_t tileClass);
-  bool Earns(std::size_t tileClass, std::int64_t tiles, bool& isFree);
-  std::vector<TileDraw> FindDraws(const std::vector<std::uint32_t>& expected);
+  using TileDraw = vtkOITTileStages::Draw;
   vtkOITFailure DrawExpected(
     const vtkOITFrame& frame, const vtkOITFragmentStore& store, const std::vector<TileDraw>& draws);
   vtkOITFailure DrawWhatIsLeft(
@@ -113,11 +96,7 @@ private:
   float Threshold = 0.0f;
   vtkOITDepthComplexityMap DepthComplexity;
   vtkOITScreenStage CountStage;
-  std::array<vtkOITScreenStage, vtkOITABufferShaders::NetworkSizes.size()> ResolveStages;
-  vtkOITScreenStage WalkStage;
-  std::array<std::int64_t, Classes> Walked{}; // tiles of each class that Walk has drawn
-  const bool CompilesAtOnce;
-  vtkOITScreenStage SecondChanceStage;
+  vtkOITTileStages TileStages;
   vtkOITScreenStage SortStage;
   /// The same for tiles with short lists only, with less to do.
   static constexpr std::array<int, 2> ShortLists = { 4, 8 };
