@@ -4,13 +4,14 @@
 #
 # matrix.sh [--copy FILE TO] RELEASE [COMMAND...]: runs the command, default `Utilities/test.sh ci`,
 # on a copy of this tree inside a bare Debian RELEASE (bookworm, trixie, testing, ...). --copy then
-# copies a FILE of that tree out, to the file TO.
+# copies a FILE of that tree out, to the file TO. RELEASE all: bookworm, trixie and testing, one after
+# the other, whatever fails; a line for each at the end.
 #
 # The root file system of the release is made once, by mmdebstrap, and kept with its packages and
 # its build folder in ${XDG_CACHE_HOME:-$HOME/.cache}/vtkoit (VTKOIT_ROOTFS_CACHE names another
 # folder). Delete it there to start afresh.
 #
-# Status: that of the command; 77 with one line when the root file system cannot be made or entered.
+# Status: that of the command, of all the first one that is not 0; 77 with one line when the root file system cannot be made or entered.
 set -eu
 # shellcheck source=common.sh
 . "$(dirname -- "$0")/common.sh"
@@ -24,6 +25,19 @@ fi
 case ${1:--} in
   -*) fail "usage: matrix.sh [--copy FILE TO] RELEASE [COMMAND...], such as: matrix.sh testing" 2 ;;
 esac
+if [ "$1" = all ]; then
+  shift
+  status=0
+  lines=
+  for release in bookworm trixie testing; do
+    result=0
+    "$0" "$release" "$@" || result=$?
+    lines="$lines Debian $release: status $result;"
+    [ "$status" != 0 ] || status=$result
+  done
+  say "${lines# }"
+  exit "$status"
+fi
 release=$1
 # shellcheck source=rootfs.sh
 . "$(dirname -- "$0")/rootfs.sh"

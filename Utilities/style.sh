@@ -76,7 +76,7 @@ floor()
     Frame | Hook) echo 1 ;;
     GL) echo 2 ;;
     Engine) echo 3 ;;
-    Volume) echo 4 ;;
+    Volume | Deferred) echo 4 ;;
     ABuffer | Blending | Peeling | Weighted) echo 5 ;;
     Plan) echo 6 ;;
     Auto) echo 7 ;;

@@ -45,6 +45,7 @@ void vtkOITAutoPass::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "SkipSorting: " << this->SkipSorting << "\n"
      << indent << "SkipHiddenFragments: " << this->SkipHiddenFragments << "\n"
      << indent << "ReuseFrames: " << this->ReuseFrames << "\n"
+     << indent << "DeferShading: " << this->DeferShading << "\n"
      << indent << "BufferLimit: " << this->GetBufferLimit() << "\n"
      << indent << "AlgorithmReason: " << this->GetAlgorithmReason() << "\n"
      << indent << "SkipSummary: " << this->GetSkipSummary() << "\n";
@@ -98,16 +99,14 @@ vtkOITSettings vtkOITAutoPass::MakeSettings(const vtkOITCapabilities& capabiliti
   settings.SkipSorting = this->SkipSorting;
   settings.SkipHiddenFragments = this->SkipHiddenFragments;
   settings.ReuseFrames = this->ReuseFrames;
+  settings.DeferShading =
+    this->DeferShading ? vtkOITSettings::Deferral::WhereItPays : vtkOITSettings::Deferral::Never;
   return settings;
 }
 
 //------------------------------------------------------------------------------
 vtkOITPlan vtkOITAutoPass::MakePlan(const vtkOITFrame& frame, const vtkOITSettings& settings)
 {
-  if (frame.Volumes)
-  {
-    return this->Superclass::MakePlan(frame, settings); // all is sorted
-  }
   // It is not known what other delegates draw.
   const bool isKnown = this->TranslucentPass->GetClassName() == std::string("vtkTranslucentPass");
   return this->Impl->Planner.MakePlan(frame, settings, isKnown);

@@ -19,6 +19,8 @@
  *    two props that overlap have an order that follows from their bounds, or one lies inside of the
  *    other. They are drawn back to front, of closed props the far faces before the near faces:
  *    into the framebuffer where no pixel has more than one layer, otherwise into a float32 layer.
+ *    Where a few of such a group have no order, such as two that cross, these are sorted by an
+ *    A-buffer of their own, in turns with the others, if that costs less than sorting all of them.
  *    Where shaders can read the framebuffer, up to 3 layers are drawn into the framebuffer and the
  *    float32 layer at once.
  * 4. All other props are sorted by the A-buffer, in bands when its fragments do not fit into
@@ -27,7 +29,8 @@
  * GetAlgorithmName() names the method that drew the frame, GetAlgorithmReason() says why, and
  * GetSkipSummary() says what was skipped.
  *
- * Geometry passes: 0 when a frame is reused; 1 for blending, 2 or more with closed props; 1 for the
+ * Geometry passes: 0 when a frame is reused; 1 for blending, 2 or more with closed props, and one for
+ * each turn of blending and sorting; 1 for the
  * A-buffer; about N/6 or N/2 for N layers by dual depth peeling. Memory per pixel: 16 bytes where
  * props are blended, 24 where frames are reused, otherwise that of the method. All of it stays
  * within MaximumBufferSize. Needs OpenGL 3.2 with ARB_explicit_attrib_location, and for the
@@ -87,6 +90,16 @@ public:
   vtkBooleanMacro(ReuseFrames, bool);
   ///@}
 
+  /// Let the A-buffer light fragments after it has sorted them, where there are many lights: see
+  /// vtkOITDeferredPeelingPass. That is from 8 directional or 4 positional lights on, and until there
+  /// are half as many, so that lights that come and go seldom compile shaders. Within one step of 255
+  /// of what it is without, and 32 bytes for a fragment instead of 16. Default on.
+  ///@{
+  vtkSetMacro(DeferShading, bool);
+  vtkGetMacro(DeferShading, bool);
+  vtkBooleanMacro(DeferShading, bool);
+  ///@}
+
   /// What the last frame did without, and why; one line, empty for nothing.
   std::string GetSkipSummary() const;
 
@@ -112,6 +125,7 @@ protected:
   bool SkipSorting = true;
   bool SkipHiddenFragments = true;
   bool ReuseFrames = true;
+  bool DeferShading = true;
 
 private:
   vtkOITAutoPass(const vtkOITAutoPass&) = delete;

@@ -3,8 +3,7 @@
 #include "vtkOITBucketPeelingPass.h"
 
 #include "Private/Frame/vtkOITSettings.h"
-#include "Private/Peeling/vtkOITBucketPeeler.h"
-#include "Private/Peeling/vtkOITPeelingEngine.h"
+#include "Private/Peeling/vtkOITBucketPeelingEngine.h"
 
 #include "vtkObjectFactory.h"
 
@@ -12,8 +11,7 @@ vtkStandardNewMacro(vtkOITBucketPeelingPass);
 
 //------------------------------------------------------------------------------
 vtkOITBucketPeelingPass::vtkOITBucketPeelingPass()
-  : vtkOITPeelingPass(std::make_unique<vtkOITPeelingEngine>(
-      "bucket depth peeling", std::make_unique<vtkOITBucketPeeler>()))
+  : vtkOITPeelingPass(std::make_unique<vtkOITBucketPeelingEngine>())
 {
 }
 

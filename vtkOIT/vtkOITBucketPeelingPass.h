@@ -2,42 +2,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkOITBucketPeelingPass
- * @brief   exact transparency by a bucket sort of depths, several layers per peel
+ * @brief   exact transparency by a bucket sort of depths, or an inexact single shot
  *
- * Divides the depth range of a pixel into buckets and peels up to 8 layers in three geometry
- * passes. For contexts without framebuffer fetch and storage buffers, where memory is plentiful.
- * docs/vtkOITBucketPeelingPass.md has a picture, the stages and the limits.
+ * Divides the depths of a pixel into buckets, so that a geometry pass tells several fragments apart. To
+ * the end it takes up to four layers in a geometry pass; as a single shot it draws the scene once or
+ * twice, whatever the depth. For contexts without framebuffer fetch and storage buffers, where memory
+ * is plentiful. docs/vtkOITBucketPeelingPass.md has a picture, the stages and the limits.
  *
  * Bucket depth peeling (Liu, Huang, Liu and Wu, Efficient depth peeling via bucket sort, HPG 2009).
- * One peel:
  *
- * 1. ADAPTIVE only: a geometry pass divides a pixel's depth range into 1024 bins and sets a bit for
- *    each bin that has a fragment, in 8 integer buffers by the logical operation OR. A screen pass
- *    makes each non-empty bin a bucket, up to 32; with more, neighbours share one.
- * 2. A geometry pass captures depths by MAX blending into the 32 channels of 8 RGBA32F buffers: the
- *    nearest depth of each of 32 equal buckets (UNIFORM), of each bucket of step 1 (ADAPTIVE), or
- *    the nearest and the farthest depth of each of 16 equal buckets (PAIRS). A screen pass leaves
- *    out the empty buckets.
- * 3. Two geometry passes sum up the colours of four captured depths each, as groups of coincident
- *    fragments, and find the nearest and the farthest fragment that was not captured.
- * 4. A screen pass blends the captured layers up to the nearest fragment that was not captured,
- *    `C += T α c`, `T -= T α`, in float32. The next peel divides the depths that are left into
- *    smaller buckets. So two layers in one bucket cost another peel, but no layer is lost.
+ * To the end. Two geometry passes or more:
  *
- * Buckets divide eye depth. The first peel starts from the range of the projected bounds of the
- * props, or, with DepthRange EXACT, from the range of each pixel, found by one more geometry pass.
- * A range of size 0 is one bucket.
+ * 1. The first finds the nearest and the farthest depth of each pixel, and counts its fragments.
+ * 2. Each further one sums up the colours at four known depths, the nearest three and the farthest,
+ *    as groups of coincident fragments, and finds by MAX blending the nearest and the farthest
+ *    depth of each of four buckets between them.
+ * 3. A screen pass blends what was summed up: from the front as far as no other fragment lies before
+ *    it, from the back as far as none lies behind, `C += T α c`, `T -= T α`, in float32. It chooses
+ *    the next four depths among those that are known, and divides the depths behind them so that
+ *    each of the first buckets gets one fragment, if they are spread evenly. ADAPTIVE: gaps between
+ *    known depths are left out.
  *
- * With MaximumNumberOfPeels 1 the method is the paper's single shot: one peel, with all 32 captured
- * depths in 8 colour passes. Layers that shared a bucket are then left out and counted by
- * GetNumberOfLostFragments(), and GetExact() is false. Difference from the paper: colours are
- * summed in float32, each at a known depth, instead of being kept as the maximum of packed bits.
- * That costs geometry passes, but never mixes two colours.
+ * Single shot, with MaximumNumberOfPeels 1, after one more pass with DepthRange EXACT:
  *
- * Geometry passes: 3 per peel (ADAPTIVE 4) of up to 8 layers; at most N peels for N layers. Single
- * shot: 10 (ADAPTIVE 11). DepthRange EXACT: one more. Memory: 440 bytes per pixel, ADAPTIVE 696; 48
- * more where shaders cannot read the framebuffer. Needs OpenGL 3.2 with
- * ARB_explicit_attrib_location.
+ * 1. UNIFORM: a geometry pass keeps the nearest fragment of each of 24 equal buckets; PAIRS: the
+ *    nearest and the farthest of each of 12. Colour and opacity are packed, below the place in the
+ *    bucket, into a positive normal float, so that MAX blending keeps those of one fragment. In the
+ *    eight alpha channels sums over all fragments tell which buckets those were in that were not
+ *    kept, and their colour. A screen pass blends the buckets in order.
+ * 2. ADAPTIVE: a geometry pass finds the nearest and the farthest depth of each of 12 buckets and
+ *    counts the fragments in each; a screen pass gives each known depth a slot, and the other
+ *    fragments of a bucket slots between; a second geometry pass writes colours into the slots, as
+ *    floats with up to 8 slots in the pixel, of 15 bits with up to 16, otherwise of 8; a screen pass
+ *    blends them.
+ *
+ * A single shot is exact where all slots of an ADAPTIVE one hold one fragment each in more than 8
+ * bits, which the counts prove. Otherwise GetExact() is false, and GetErrorBound() is 1: no bound.
+ * GetNumberOfLostFragments() counts those that no channel has kept. Coincident fragments share one.
+ * Where mismatched: an ADAPTIVE slot of two fragments has the larger of each word of theirs.
+ * Colours below 0 are 0 in a single shot.
+ *
+ * Buckets divide eye depth, of the projected bounds of the props, or, with DepthRange EXACT, of each
+ * pixel. A range of size 0 is one bucket.
+ *
+ * Geometry passes for N layers: at most N/2 + 1, N/4 + 2 where layers are spread evenly. Single
+ * shot: 1 (ADAPTIVE 2); DepthRange EXACT: one more. Memory: 232 bytes per pixel, 96 more where
+ * shaders cannot read the framebuffer; single shot 184 (ADAPTIVE 376), 48 more there. Needs OpenGL
+ * 3.2 with ARB_explicit_attrib_location and ARB_shader_bit_encoding.
  *
  * Exact: yes, with TransmittanceThreshold 0 and no limit on the number of peels; otherwise within
  * GetErrorBound(). Limits: a prop whose mapper does not support vtkOpenGLRenderPass is not drawn.
@@ -60,12 +71,12 @@ public:
 
   enum ModeType
   {
-    UNIFORM = 0, ///< 32 equal buckets
-    PAIRS = 1,   ///< 16 equal buckets, two depths each
-    ADAPTIVE = 2 ///< up to 32 buckets where fragments are
+    UNIFORM = 0, ///< single shot: 24 equal buckets
+    PAIRS = 1,   ///< single shot: 12 equal buckets, two fragments each
+    ADAPTIVE = 2 ///< single shot: up to 32 slots where fragments are
   };
 
-  /// UNIFORM (default), PAIRS or ADAPTIVE.
+  /// UNIFORM (default), PAIRS or ADAPTIVE. To the end UNIFORM and PAIRS are the same.
   ///@{
   virtual void SetMode(int mode);
   vtkGetMacro(Mode, int);
@@ -77,7 +88,7 @@ public:
     EXACT = 1   ///< of each pixel, one more geometry pass
   };
 
-  /// The depths that the first peel divides: BOUNDS (default) or EXACT.
+  /// The depths that a single shot divides: BOUNDS (default) or EXACT. To the end they are exact.
   ///@{
   virtual void SetDepthRange(int range);
   vtkGetMacro(DepthRange, int);

@@ -5,6 +5,7 @@
 #include "vtkOITABufferPass.h"
 #include "vtkOITAutoPass.h"
 #include "vtkOITBucketPeelingPass.h"
+#include "vtkOITDeferredPeelingPass.h"
 #include "vtkOITDepthPeelingPass.h"
 #include "vtkOITDualDepthPeelingPass.h"
 #include "vtkOITMultiLayerPeelingPass.h"
@@ -35,9 +36,10 @@ vtkOITPass* CreateInMode()
   return pass;
 }
 
-const std::array<Method, 11> Methods = { {
+const std::array<Method, 12> Methods = { {
   { "auto", CreateAs<vtkOITAutoPass> },
   { "abuffer", CreateAs<vtkOITABufferPass> },
+  { "deferred-abuffer", CreateAs<vtkOITDeferredPeelingPass> },
   { "peel", CreateAs<vtkOITDepthPeelingPass> },
   { "dual", CreateAs<vtkOITDualDepthPeelingPass> },
   { "multilayer", CreateAs<vtkOITMultiLayerPeelingPass> },

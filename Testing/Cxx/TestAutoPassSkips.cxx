@@ -203,6 +203,10 @@ int TestAutoPassSkips(int argc, char* argv[])
       {
         parts = { GetInvisibleScenes(), GetFlatScenes() };
       }
+      if (IsAsked(argc, argv, "partial"))
+      {
+        parts.push_back(GetPartialScenes());
+      }
       if (IsAsked(argc, argv, "closed"))
       {
         parts.push_back(GetClosedScenes());

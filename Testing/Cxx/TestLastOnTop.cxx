@@ -67,7 +67,7 @@ void Compare(Report& report, Rig& rig, const Setup& setup, const std::string& wh
   report.Check(rig.Pass->GetExact(), what + ": it is said not to be exact");
 }
 
-/// Two or three coincident actors between one in front and one behind, in every draw order.
+/// Two or three coincident actors, others in front and behind, in every draw order.
 void CheckOrders(Report& report, Rig& rig, const Setup& setup, const std::vector<Layer>& layers)
 {
   std::vector<int> order(layers.size());
@@ -75,7 +75,7 @@ void CheckOrders(Report& report, Rig& rig, const Setup& setup, const std::vector
   do
   {
     std::vector<Layer> drawn;
-    std::string what = std::to_string(layers.size() - 2) + " coincident, draw order ";
+    std::string what = std::to_string(layers.size()) + " layers, draw order ";
     for (const int index : order)
     {
       drawn.push_back(layers[index]);
@@ -101,7 +101,7 @@ void CheckActors(Report& report, Rig& rig, const Setup& setup)
   if (setup.UseMode == Use::Installed)
   {
     CheckOrders(report, rig, setup, { front, red, green, blue, behind });
-    CheckOrders(report, rig, setup, { front, blue, solid, green, behind });
+    CheckOrders(report, rig, setup, { blue, solid, green, behind });
   }
 }
 

@@ -65,7 +65,8 @@ void CheckFormat(Report& report, const Setup& setup, const Format& format)
   // itself.
   for (const bool writesDepth : { false, true })
   {
-    const bool usesABuffer = setup.Method == "abuffer" || setup.Method == "auto";
+    const bool usesABuffer =
+      setup.Method == "abuffer" || setup.Method == "auto" || setup.Method == "deferred-abuffer";
     const bool stores =
       usesABuffer ? setup.HasStorage : setup.Method == "multilayer" && setup.HasInterlock;
     if (writesDepth && stores && !setup.HasFetch)

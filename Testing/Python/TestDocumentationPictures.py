@@ -9,6 +9,8 @@ A picture that differs is left in build/Testing/Temporary. Look at it before you
 """
 
 import collections
+import colorsys
+import math
 import os
 import sys
 import unittest
@@ -20,6 +22,7 @@ import vtkoit
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer
 from vtkoit import camera, picture, reference
 from vtkoit.bench import catalogue, scene
@@ -54,6 +57,7 @@ PICTURES = [
     Picture("orbital-auto", "orbital", "auto", (400, 400), 1.0),
     Picture("vtkOITAutoPass", "hull", "auto", (400, 360), 1.1),
     Picture("vtkOITABufferPass", "tubes", "abuffer", (400, 400), 1.0),
+    Picture("vtkOITDeferredPeelingPass", "lights", "deferred-abuffer", (440, 320), 1.0),
     Picture("vtkOITDepthPeelingPass", "showcase-rings", "peel", (560, 280), 2.2),
     Picture("vtkOITDualDepthPeelingPass", "showcase-isosurfaces", "dual", (400, 400), 1.0),
     Picture("vtkOITMultiLayerPeelingPass", "molecule", "multilayer", (420, 400), 0.9),
@@ -102,9 +106,49 @@ def orbital():
     return renderer
 
 
+def lights():
+    """Shells of glass in each other under 64 coloured spot lights."""
+    renderer = vtkRenderer()
+    renderer.SetBackground(0.05, 0.05, 0.08)
+    renderer.SetBackgroundAlpha(1.0)
+    for row in range(3):
+        for radius in (0.45, 0.35, 0.2):
+            sphere = vtkSphereSource()
+            sphere.SetRadius(radius)
+            sphere.SetCenter(row - 1.0, 0.0, 0.0)
+            sphere.SetThetaResolution(60)
+            sphere.SetPhiResolution(40)
+            actor = Support.add_actor(renderer, sphere, (0.9, 0.9, 0.9), 0.3)
+            actor.GetProperty().SetDiffuse(0.7)
+            actor.GetProperty().SetSpecular(0.9)
+            actor.GetProperty().SetSpecularPower(60.0)
+    floor = vtkPlaneSource()
+    floor.SetOrigin(-1.6, -0.5, -0.8)
+    floor.SetPoint1(1.6, -0.5, -0.8)
+    floor.SetPoint2(-1.6, -0.5, 0.8)
+    Support.add_actor(renderer, floor, (0.8, 0.8, 0.8), 0.6)
+    for i in range(64):
+        light = vtkLight()
+        light.SetPositional(True)
+        light.SetPosition(1.8 * math.sin(2.4 * i), 0.3 + 0.02 * i, 1.2 * math.cos(2.4 * i))
+        light.SetFocalPoint(1.4 * math.sin(1.7 * i), -0.5, 0.6 * math.cos(1.7 * i))
+        light.SetConeAngle(14.0)
+        light.SetExponent(20.0)
+        light.SetAttenuationValues(0.3, 0.0, 2.0)
+        light.SetColor(*colorsys.hsv_to_rgb(0.17 * i % 1.0, 0.9, 1.0))
+        light.SetIntensity(2.2)
+        renderer.AddLight(light)
+    view = renderer.GetActiveCamera()
+    view.SetPosition(0.9, 1.6, 3.6)
+    view.SetFocalPoint(0.0, -0.1, 0.0)
+    renderer.ResetCamera()
+    view.Zoom(1.5)
+    return renderer
+
+
 def makers():
     """What makes a vtkRenderer of each scene, dict of str to function."""
-    result = {"orbital": orbital}
+    result = {"orbital": orbital, "lights": lights}
     for name, make in SCENES:
         result["showcase-" + name] = make
     for one in catalogue.all_scenes():

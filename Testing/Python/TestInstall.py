@@ -121,6 +121,7 @@ class TestMethods(unittest.TestCase):
 class TestProperties(unittest.TestCase):
     def test_defaults(self):
         found = vtkoit.properties("abuffer")
+        self.assertNotIn("VolumetricPass", found)  # not a number, nor a name
         self.assertEqual(found["FragmentPrecision"], "half")
         self.assertEqual(found["MaximumBufferSize"], 0)
         self.assertEqual(found["OcclusionRatio"], 0.0)

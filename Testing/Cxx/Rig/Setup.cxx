@@ -83,6 +83,8 @@ const std::vector<MethodRow>& GetMethodTable()
     { "auto", Expectation::Exact, { Storage::Half, Storage::Float32 }, { Full, NoFetch, GL32 },
       4096 },
     { "abuffer", Expectation::Exact, { Storage::Half, Storage::Float32 }, { Full, NoFetch }, 4096 },
+    { "deferred-abuffer", Expectation::Exact, { Storage::Half, Storage::Float32 },
+      { Full, NoFetch }, 4096 },
     { "peel", Expectation::Exact, { Storage::Float32 }, { Full, GL32 }, 65 },
     { "dual", Expectation::Exact, { Storage::Half, Storage::Float32 }, { Full, GL32 }, 257 },
     { "multilayer", Expectation::Exact, { Storage::Half }, { Full, NoFetch }, 257 },

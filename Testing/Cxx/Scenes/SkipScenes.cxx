@@ -21,6 +21,8 @@
 #include "vtkSelectionNode.h"
 #include "vtkTexture.h"
 
+#include <cmath>
+
 namespace vtkOITTest
 {
 namespace
@@ -234,6 +236,78 @@ std::vector<SkipScene> GetFlatScenes()
         AddSphere(rig, Red, { 0.8, -0.2, 0.0 }, 0.3);
       },
       0, 2, 2 },
+  };
+}
+
+//------------------------------------------------------------------------------
+std::vector<SkipScene> GetPartialScenes()
+{
+  // Around depths 0.3 and 0.7 there is room for others.
+  const auto addPlanes = [](Rig& rig)
+  {
+    for (int i = 0; i < 60; ++i)
+    {
+      const double depth = 0.02 + 0.96 * ((i * 23) % 60) / 59.0;
+      if (std::abs(depth - 0.3) > 0.03 && std::abs(depth - 0.7) > 0.03)
+      {
+        rig.AddQuad({ static_cast<float>(depth), i % 2 == 0 ? Red : Blue });
+      }
+    }
+  };
+  const auto addCrossing = [](Rig& rig, double depth)
+  {
+    rig.AddRamp(depth - 0.02, depth + 0.02, Green);
+    rig.AddRamp(depth + 0.02, depth - 0.02, Blue);
+  };
+  const auto addTwoLayers = [](Rig& rig, float depth) {
+    return rig.AddEqualLayers({ depth + 0.01f, depth - 0.01f }, Green);
+  };
+  return {
+    { "planes, and two that cross",
+      [=](Rig& rig)
+      {
+        addCrossing(rig, 0.3);
+        addPlanes(rig);
+      },
+      0, 52, 2, Any, 54 },
+    { "planes, and two pairs that cross",
+      [=](Rig& rig)
+      {
+        addCrossing(rig, 0.7);
+        addPlanes(rig);
+        addCrossing(rig, 0.3);
+      },
+      0, 52, 4, Any, 56 },
+    { "planes, and a mesh of two layers",
+      [=](Rig& rig)
+      {
+        addTwoLayers(rig, 0.7f);
+        addPlanes(rig);
+      },
+      0, 52, 1, Any, 54 },
+    { "planes, and meshes of two layers that share depths with two that cross",
+      [=](Rig& rig)
+      {
+        addTwoLayers(rig, 0.3f);
+        addPlanes(rig);
+        addCrossing(rig, 0.3);
+      },
+      0, 52, 3, Any, 56 },
+    { "planes, and a pair that crosses all of them",
+      [=](Rig& rig)
+      {
+        addPlanes(rig);
+        rig.AddRamp(0.0, 1.0, Green);
+        rig.AddRamp(1.0, 0.0, Blue);
+      },
+      0, 0, 54, Any, 54 },
+    { "planes, and lines",
+      [=](Rig& rig)
+      {
+        addPlanes(rig);
+        addTwoLayers(rig, 0.3f)->GetProperty()->EdgeVisibilityOn();
+      },
+      0, 0, 53, Any, 56 },
   };
 }
 }

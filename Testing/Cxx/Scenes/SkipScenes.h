@@ -31,6 +31,8 @@ struct SkipScene
 std::vector<SkipScene> GetInvisibleScenes();
 std::vector<SkipScene> GetFlatScenes();
 std::vector<SkipScene> GetClosedScenes();
+/// Deep ones, of which some props have no known order.
+std::vector<SkipScene> GetPartialScenes();
 }
 
 #endif

@@ -104,11 +104,7 @@ def run(case, method=None):
 def vtk_alone_does(case, text, worst):
     """Whether what is wrong is VTK's own: an old picture where a new pass shows the same (worst: its
     difference in steps), because what a mapper keeps is not ours, or an error of OpenGL."""
-    error = text.startswith("OpenGL error")
-    if not error and worst <= 1:
-        return False
-    alone = run(case, "vtk")[0]
-    return "OpenGL error" in alone if error else bool(alone)
+    return (worst > 1 or text.startswith("OpenGL error")) and bool(run(case, "vtk")[0])
 
 
 def judge(frames, fresh, allowed):

@@ -64,10 +64,11 @@ def one_line_or_empty(text):
 def properties(method="auto"):
     """The properties of a method with their default values, dict of str to value.
 
-    A property with named values maps to the name of its default, e.g. "half".
+    A property with named values maps to the name of its default, e.g. "half". Those that are other passes
+    (VolumetricPass) are left out.
     """
     instance = create(method)
-    return {name: _read(instance, name) for name in _property_names(instance)}
+    return {name: _read(instance, name) for name in _property_names(instance) if _is_value(instance, name)}
 
 
 def set_property(instance, name, value):
@@ -81,7 +82,8 @@ def set_property(instance, name, value):
     found = [candidate for candidate in names if _plain(candidate) == _plain(name)]
     if not found:
         raise ValueError("%s has no property %r; it has: %s"
-                         % (instance.GetClassName(), name, ", ".join(names)))
+                         % (instance.GetClassName(), name,
+                            ", ".join(name for name in names if _is_value(instance, name))))
     _write(instance, found[0], value)
 
 
@@ -97,6 +99,11 @@ def _property_names(instance):
     return sorted(name[3:] for name in dir(instance)
                   if name.startswith("Set") and name not in inherited
                   and hasattr(instance, "Get" + name[3:]))
+
+
+def _is_value(instance, name):
+    """Whether a property is a number or a name, not an object."""
+    return isinstance(getattr(instance, "Get" + name)(), (int, float, str))
 
 
 def _named_values(instance, name):

@@ -8,14 +8,23 @@
 #include "Private/Engine/vtkOITPropParts.h"
 #include "Private/Frame/vtkOITFrame.h"
 
+#include "vtkActor.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkProperty.h"
 #include "vtkShaderProgram.h"
 
 namespace
 {
 /// What passes when there is no depth test.
 constexpr int AnyDepth = 7;
+
+bool IsReflecting(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  vtkProperty* back = actor ? actor->GetBackfaceProperty() : nullptr;
+  return !actor || actor->GetProperty()->GetSpecular() > 0.0 || (back && back->GetSpecular() > 0.0);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -41,6 +50,7 @@ vtkOITFailure vtkOITABufferEngine::Capture(const Task& task)
   }
   this->DepthCopyFailure = {};
   this->NumberOfDraws = 0;
+  this->HasSpecular = false;
   failure = task.Geometry.Draw(task.Frame.Props, this->Gather);
   if (this->HasDepthCopy)
   {
@@ -74,6 +84,7 @@ void vtkOITABufferEngine::SetUniforms(const Task& task, vtkShaderProgram* progra
   // An actor may have been told to write depth; translucent ones must not.
   task.Frame.GLState->vtkglDepthMask(GL_FALSE);
   this->Store.SetUniforms(program);
+  this->HasSpecular = this->HasSpecular || IsReflecting(prop);
   if (this->Shaders.HasDrawOrder())
   {
     program->SetUniformi("oitDrawNumber", this->NumberOfDraws++);

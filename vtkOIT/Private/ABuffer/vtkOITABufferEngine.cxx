@@ -58,6 +58,14 @@ bool HasOwnDepth(const vtkOITTarget& target)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkOITABufferEngine::GetAlgorithmName(const vtkOITSettings& settings) const
+{
+  const bool defers =
+    this->HasDrawn ? this->Defers : settings.DeferShading == vtkOITSettings::Deferral::Always;
+  return defers ? "deferred A-buffer" : "A-buffer";
+}
+
+//------------------------------------------------------------------------------
 std::string vtkOITABufferEngine::FindMissing(
   const vtkOITCapabilities& capabilities, const vtkOITSettings&) const
 {
@@ -81,6 +89,7 @@ void vtkOITABufferEngine::Release()
   this->SolidDepth.Release();
   this->Trial.Reset();
   this->Resolver.Release();
+  this->Lights.Release();
   this->NumberOfFragments = 0;
 }
 
@@ -88,7 +97,22 @@ void vtkOITABufferEngine::Release()
 std::int64_t vtkOITABufferEngine::GetSizeInBytes() const
 {
   return this->Store.GetSizeInBytes() + this->DepthCopy.GetSizeInBytes() +
-    this->SolidDepth.GetSizeInBytes();
+    this->SolidDepth.GetSizeInBytes() + this->Lights.GetSizeInBytes();
+}
+
+//------------------------------------------------------------------------------
+// Volumes read shaded colours, several samples would each be lit, and light has no material.
+void vtkOITABufferEngine::ChooseShading(const Task& task)
+{
+  const vtkOITFrame& frame = task.Frame;
+  using Deferral = vtkOITSettings::Deferral;
+  const Deferral deferral = task.Settings.DeferShading;
+  const bool canDefer = deferral != Deferral::Never && !task.Settings.FloatColor &&
+    !frame.HasLight && !frame.Volumes && frame.Target.Samples == 0;
+  const bool isLit =
+    canDefer && !this->Lights.Update(frame) && this->Lights.GetNumberOfLights() > 0;
+  this->Defers = isLit && (deferral == Deferral::Always || this->Lights.Pays(this->Defers));
+  this->HasDrawn = true;
 }
 
 //------------------------------------------------------------------------------
@@ -120,6 +144,8 @@ void vtkOITABufferEngine::ChooseShaders(const Task& task)
     shaders.LastOnTop && !this->HeadInTarget && task.Frame.Capabilities->FragmentInterlock;
   shaders.HasLight = task.Frame.HasLight;
   shaders.Volumes = task.Frame.Volumes != nullptr;
+  shaders.Deferred = this->Defers;
+  this->Gather.SetReplacements(this->Defers ? &this->DeferredText : nullptr);
   this->Gather.SetStage(shaders.GetGather());
   if (shaders.Volumes)
   {
@@ -170,6 +196,7 @@ vtkOITFailure vtkOITABufferEngine::Draw(const vtkOITFrame& frame, const vtkOITSe
   this->Gather.SetUniforms([this, &task](vtkShaderProgram* program, vtkProp* prop)
     { this->SetUniforms(task, program, prop); });
   this->ChooseCapture(task);
+  this->ChooseShading(task);
   this->DrawSolidDepth(task);
   this->Bands.Begin(frame.Rectangle, largestBand);
   vtkOITFailure failure = this->DrawBands(task);
@@ -275,6 +302,11 @@ vtkOITFailure vtkOITABufferEngine::DrawBand(const Task& task, std::int64_t& need
     {
       return failure;
     }
+    if (!counters.Overflow && this->Resolver.IsTooDeep(counters))
+    {
+      this->Defers = false;
+      continue;
+    }
     const std::int64_t capacity = this->Store.GetCapacity();
     if (!counters.Overflow)
     {
@@ -306,6 +338,7 @@ vtkOITFailure vtkOITABufferEngine::Resolve(
   const Task& task, vtkOITFragmentStore::Counters& counters)
 {
   task.Frame.BeginOutput(this->Band);
+  this->Resolver.SetLights(this->Defers ? &this->Lights : nullptr, this->HasSpecular);
   std::string fault;
   bool areDrawn = false;
   std::function<void()> drawVolumes;

@@ -9,6 +9,8 @@
 #include "Private/ABuffer/vtkOITFragmentStore.h"
 #include "Private/ABuffer/vtkOITSolidDepth.h"
 #include "Private/ABuffer/vtkOITTrial.h"
+#include "Private/Deferred/vtkOITDeferredText.h"
+#include "Private/Deferred/vtkOITLights.h"
 #include "Private/Engine/vtkOITEngine.h"
 #include "Private/Engine/vtkOITGather.h"
 #include "Private/Frame/vtkOITBands.h"
@@ -21,7 +23,7 @@ class vtkProp;
 class vtkOITABufferEngine : public vtkOITEngine
 {
 public:
-  std::string GetAlgorithmName(const vtkOITSettings&) const override { return "A-buffer"; }
+  std::string GetAlgorithmName(const vtkOITSettings& settings) const override;
   std::string FindMissing(
     const vtkOITCapabilities& capabilities, const vtkOITSettings& settings) const override;
   std::string FindMissingIn(const vtkOITFrame& frame) const override;
@@ -42,6 +44,7 @@ public:
 private:
   void ChooseCapture(const Task& task);
   void ChooseShaders(const Task& task);
+  void ChooseShading(const Task& task);
   std::int64_t GetLargestPool(const Task& task) const;
   void DrawSolidDepth(const Task& task);
   vtkOITFailure DrawBands(const Task& task);
@@ -69,7 +72,12 @@ private:
   bool HasSolidDepth = false; // Gather tests against it instead of the framebuffer's
   bool HeadInTarget = false;  // list heads by framebuffer fetch instead of image atomics
   bool HeadInTargetWorks = true;
-  bool IsWhole = false; // the last frame was drawn in one band, which the store still holds
+  vtkOITDeferredText DeferredText;
+  vtkOITLights Lights;
+  bool Defers = false;      // shading, in this frame or the last one
+  bool HasDrawn = false;    // a frame
+  bool HasSpecular = false; // a material of this frame reflects lights
+  bool IsWhole = false;     // the last frame was drawn in one band, which the store still holds
   std::int64_t NumberOfFragments = 0; // of the last frame
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/ABuffer/vtkOITABufferResolver.h"
 
+#include "Private/Deferred/vtkOITLights.h"
 #include "Private/Frame/vtkOITFrame.h"
 #include "Private/GL/vtkOITOutput.h"
 
@@ -11,7 +12,6 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
 
 namespace
@@ -24,11 +24,7 @@ constexpr std::array<int, 2> TilesWithLists = { -1, OIT_HAS_LISTS };
 constexpr GLbitfield Barriers =
   GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT;
 
-// Tiles that Walk has drawn before the network for them is compiled: on llvmpipe that takes as long as the
-// network saves on 2500 tiles full of the longest lists, or 15000 of isosurfaces, whatever its size.
-constexpr std::int64_t TilesToCompile = 4000;
-
-// Loop iterations that one draw of Sort may spend on a list, below llvmpipe's 65535.
+// Loop iterations that one draw may spend on a list, below llvmpipe's 65535.
 constexpr int SortBudget = 60000;
 
 /// The draws of Sort for lists of `length` nodes, as first and last merge width of each.
@@ -54,13 +50,6 @@ const std::string& GetTileVertexShader()
 }
 
 //------------------------------------------------------------------------------
-vtkOITABufferResolver::vtkOITABufferResolver()
-{
-  const char* networks = std::getenv("VTKOIT_NETWORKS");
-  this->CompilesAtOnce = networks && *networks == '1';
-}
-
-//------------------------------------------------------------------------------
 void vtkOITABufferResolver::SetShaders(const vtkOITABufferShaders& shaders)
 {
   if (!(shaders == this->Shaders))
@@ -74,15 +63,8 @@ void vtkOITABufferResolver::SetShaders(const vtkOITABufferShaders& shaders)
 void vtkOITABufferResolver::Release()
 {
   this->DepthComplexity.Clear();
-  this->Walked = {};
-  this->WalkStage.Release();
   this->CountStage.Release();
-  for (vtkOITScreenStage& stage : this->ResolveStages)
-  {
-    stage.Release();
-  }
-  this->SecondChanceStage.Release();
-  this->SortedTiles = 0;
+  this->TileStages.Release();
   this->QuickSortStage.Release();
   this->SortStage.Release();
   for (vtkOITScreenStage& stage : this->ShortSortStages)
@@ -90,6 +72,7 @@ void vtkOITABufferResolver::Release()
     stage.Release();
   }
   this->CompositeStage.Release();
+  this->SpecularStage.Release();
 }
 
 //------------------------------------------------------------------------------
@@ -100,10 +83,10 @@ vtkOITFailure vtkOITABufferResolver::Resolve(const vtkOITFrame& frame, vtkOITFra
   glMemoryBarrier(Barriers);
   counters = {};
   const bool sortsAll = this->Shaders.SortsAll();
-  if (sortsAll || (this->CompilesAtOnce && this->DepthComplexity.IsEmpty()))
+  if (sortsAll || (this->TileStages.CompileAtOnce() && this->DepthComplexity.IsEmpty()))
   {
     vtkOITFailure failure = this->Count(frame, store, counters);
-    if (failure || counters.Overflow)
+    if (failure || counters.Overflow || this->IsTooDeep(counters))
     {
       return failure;
     }
@@ -113,8 +96,9 @@ vtkOITFailure vtkOITABufferResolver::Resolve(const vtkOITFrame& frame, vtkOITFra
     this->DepthComplexity.GetExpected(store.GetTileGrid());
   store.SetExpected(expected);
   this->PrepareOutput(frame, store);
-  vtkOITFailure failure = sortsAll ? this->DrawLists(frame, store, counters, AllTiles, drawVolumes)
-                                   : this->DrawExpected(frame, store, this->FindDraws(expected));
+  vtkOITFailure failure = sortsAll
+    ? this->DrawLists(frame, store, counters, AllTiles, drawVolumes)
+    : this->DrawExpected(frame, store, this->TileStages.FindDraws(expected, this->Shaders));
   if (!failure && !sortsAll)
   {
     const vtkOITFailure later = this->DrawWhatIsLeft(frame, store, counters);
@@ -133,11 +117,8 @@ vtkOITFailure vtkOITABufferResolver::DrawWhatIsLeft(
   if (!counters.Overflow && (counters.Marks & OIT_TRY_AGAIN))
   {
     glMemoryBarrier(Barriers);
-    const bool hasNetwork = this->SecondChanceStage.IsPrepared();
-    failure = this->DrawTiles(hasNetwork ? this->SecondChanceStage : this->WalkStage, frame, store,
-      TilesToTryAgain,
-      [this, hasNetwork]
-      { return hasNetwork ? this->Shaders.GetSecondChance() : this->Shaders.GetWalk(); });
+    const TileDraw again = this->TileStages.FindSecondChance(this->Shaders);
+    failure = this->DrawTiles(*again.Stage, frame, store, TilesToTryAgain, again.GetFragmentShader);
     counters = store.ReadCounters();
   }
   if (!failure && !counters.Overflow && (counters.Marks & OIT_HAS_LISTS))
@@ -178,72 +159,6 @@ void vtkOITABufferResolver::PrepareOutput(
 }
 
 //------------------------------------------------------------------------------
-std::size_t vtkOITABufferResolver::FindClass(std::uint32_t length)
-{
-  const auto& sizes = vtkOITABufferShaders::NetworkSizes;
-  return static_cast<std::size_t>(
-    std::lower_bound(sizes.begin(), sizes.end(), static_cast<int>(length)) - sizes.begin());
-}
-
-//------------------------------------------------------------------------------
-vtkOITScreenStage& vtkOITABufferResolver::GetStage(std::size_t tileClass)
-{
-  return tileClass == LongLists ? this->SecondChanceStage : this->ResolveStages[tileClass];
-}
-
-//------------------------------------------------------------------------------
-// Whether tiles of a class are drawn by its own program from now on. `isFree`: this frame has compiled none yet.
-bool vtkOITABufferResolver::Earns(std::size_t tileClass, std::int64_t tiles, bool& isFree)
-{
-  if (this->GetStage(tileClass).IsPrepared())
-  {
-    return true;
-  }
-  this->Walked[tileClass] += tiles;
-  const bool earns = this->CompilesAtOnce || (isFree && this->Walked[tileClass] > TilesToCompile);
-  isFree = isFree && !earns;
-  return earns;
-}
-
-//------------------------------------------------------------------------------
-std::vector<vtkOITABufferResolver::TileDraw> vtkOITABufferResolver::FindDraws(
-  const std::vector<std::uint32_t>& expected)
-{
-  std::array<std::int64_t, Classes> tiles{};
-  for (const std::uint32_t length : expected)
-  {
-    ++tiles[FindClass(length)];
-  }
-  bool isFree = true;
-  std::vector<TileDraw> draws;
-  int smallest = 0;
-  for (std::size_t i = 0; i < Classes; ++i)
-  {
-    const int size = vtkOITABufferShaders::NetworkSizes[std::min(i, LongLists - 1)];
-    const int largest = i < LongLists ? size : std::numeric_limits<int>::max();
-    vtkOITScreenStage& stage = this->GetStage(i);
-    if (tiles[i] > 0 && this->Earns(i, tiles[i], isFree))
-    {
-      draws.push_back({ &stage, { smallest, largest }, [this, i, size] {
-                         return i < LongLists ? this->Shaders.GetResolve(size)
-                                              : this->Shaders.GetSecondChance();
-                       } });
-    }
-    else if (tiles[i] > 0 && !draws.empty() && draws.back().Stage == &this->WalkStage)
-    {
-      draws.back().TileClass[1] = largest; // no tiles are between
-    }
-    else if (tiles[i] > 0)
-    {
-      draws.push_back(
-        { &this->WalkStage, { smallest, largest }, [this] { return this->Shaders.GetWalk(); } });
-    }
-    smallest = largest < std::numeric_limits<int>::max() ? largest + 1 : largest;
-  }
-  return draws;
-}
-
-//------------------------------------------------------------------------------
 // All programs before the first draw, so that nothing or all is drawn.
 vtkOITFailure vtkOITABufferResolver::DrawExpected(
   const vtkOITFrame& frame, const vtkOITFragmentStore& store, const std::vector<TileDraw>& draws)
@@ -275,8 +190,8 @@ vtkOITFailure vtkOITABufferResolver::SortLists(const vtkOITFrame& frame,
 {
   const std::uint32_t longest = *std::max_element(counters.Tiles.begin(), counters.Tiles.end());
   glMemoryBarrier(Barriers);
-  this->SortedTiles +=
-    tileClass == AllTiles ? store.GetTileGrid().GetNumberOfTiles() : counters.MarkedTiles;
+  const bool isQuick = this->TileStages.SortsQuickly(
+    tileClass == AllTiles ? store.GetTileGrid().GetNumberOfTiles() : counters.MarkedTiles);
   vtkOpenGLState* state = frame.GLState;
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE); // Sort has no output
   vtkOITFailure failure;
@@ -287,7 +202,6 @@ vtkOITFailure vtkOITABufferResolver::SortLists(const vtkOITFrame& frame,
   }
   if (static_cast<int>(longest) >= tileClass[0])
   {
-    const bool isQuick = !this->CompilesAtOnce && this->SortedTiles <= TilesToCompile;
     const int runSize = isQuick ? OIT_SHORT_RUN : OIT_RUN_SIZE;
     vtkOITScreenStage& stage = isQuick ? this->QuickSortStage : this->SortStage;
     for (const auto& widths : PlanSort(static_cast<int>(longest), runSize))
@@ -343,7 +257,6 @@ vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
   const vtkOITFragmentStore& store, vtkOITFragmentStore::Counters& counters,
   const std::array<int, 2>& tileClass, const std::function<void()>& drawVolumes)
 {
-  const auto getComposite = [this] { return this->Shaders.GetComposite(); };
   const bool hasLists = std::any_of(
     counters.Tiles.begin(), counters.Tiles.end(), [](std::uint32_t n) { return n > 0; });
   vtkOITFailure failure;
@@ -353,8 +266,8 @@ vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
   }
   if (drawVolumes && !failure)
   {
-    failure =
-      this->CompositeStage.Prepare(frame.Window, GetTileVertexShader().c_str(), getComposite);
+    failure = this->CompositeStage.Prepare(frame.Window, GetTileVertexShader().c_str(),
+      [this] { return this->Shaders.GetComposite(false); });
     if (!failure)
     {
       drawVolumes();
@@ -365,13 +278,48 @@ vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
   }
   if (hasLists && !failure)
   {
-    failure = this->DrawTiles(this->CompositeStage, frame, store, tileClass, getComposite);
+    failure = this->Composite(frame, store, tileClass);
   }
   if (this->Threshold > 0.0f && hasLists)
   {
     counters.Skipped = store.ReadSkipped();
   }
   return failure;
+}
+
+//------------------------------------------------------------------------------
+vtkOITFailure vtkOITABufferResolver::Composite(
+  const vtkOITFrame& frame, const vtkOITFragmentStore& store, const std::array<int, 2>& tileClass)
+{
+  const bool isLit = this->Shaders.Deferred && this->Lights;
+  const bool hasSpecular = isLit && this->HasSpecular;
+  if (isLit)
+  {
+    this->Lights->Bind(frame.GLState, OIT_UNIT_LIGHTS);
+  }
+  vtkOITFailure failure = this->DrawTiles(
+    hasSpecular ? this->SpecularStage : this->CompositeStage, frame, store, tileClass,
+    [&] { return this->Shaders.GetComposite(hasSpecular); },
+    [&](vtkShaderProgram* program)
+    {
+      if (isLit)
+      {
+        this->Lights->SetUniforms(program, frame, OIT_UNIT_LIGHTS);
+      }
+    });
+  if (isLit)
+  {
+    this->Lights->Unbind(frame.GLState, OIT_UNIT_LIGHTS);
+  }
+  return failure;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITABufferResolver::IsTooDeep(const vtkOITFragmentStore::Counters& counters) const
+{
+  const std::int64_t longest = *std::max_element(counters.Tiles.begin(), counters.Tiles.end());
+  const int lights = this->Lights ? this->Lights->GetNumberOfLights() : 0;
+  return this->Shaders.Deferred && longest * (1 + lights) > SortBudget;
 }
 
 //------------------------------------------------------------------------------

@@ -6,21 +6,22 @@
 #include "Private/ABuffer/vtkOITABufferShaders.h"
 #include "Private/ABuffer/vtkOITDepthComplexityMap.h"
 #include "Private/ABuffer/vtkOITFragmentStore.h"
+#include "Private/ABuffer/vtkOITTileStages.h"
 #include "Private/GL/vtkOITScreenStage.h"
 
 #include <array>
 #include <utility>
 
 struct vtkOITFrame;
+class vtkOITLights;
 class vtkShaderProgram;
 
 /**
  * What an A-buffer does after capture, for the current rectangle of a store:
  *
  * 1. Each tile is drawn with the smallest sorting network that takes the depth complexity it had
- *    in the last frame; beyond the largest one, as in step 3. Networks take long to compile, and a
- *    picture may be the only one: Walk takes tiles until a network would have paid for its compiler,
- *    and at most one is compiled a frame.
+ *    in the last frame, or by Walk until that network has been earned (vtkOITTileStages); beyond the
+ *    largest one, as in step 3.
  * 2. Counters and tiles are read back: normally the only time that the pass waits for the GPU.
  * 3. Tiles with pixels that were left, if any, get a second chance by Walk or, where many lists are
  *    long, by SecondChance, in which the nearest fragments of longer lists may be enough; other long
@@ -28,14 +29,11 @@ class vtkShaderProgram;
  *
  * Multisampled framebuffers: Count, then all lists are sorted and composited once a sample. Frames
  * with volumes: Count, all lists are sorted, volumes are drawn, what they leave is composited.
+ * Deferred shading: Count, all lists are sorted, their fragments are lit and composited.
  */
 class vtkOITABufferResolver
 {
 public:
-  /// In the environment VTKOIT_NETWORKS=1 has Count find the depth complexity of the first frame, and
-  /// networks compiled as soon as there are tiles for them: for tests, and to measure steady frames.
-  vtkOITABufferResolver();
-
   /// Programs for these shaders from now on.
   void SetShaders(const vtkOITABufferShaders& shaders);
 
@@ -50,7 +48,19 @@ public:
   /// Behind a transmittance of at most this, long lists need not be composited. Default 0.
   void SetThreshold(float threshold) { this->Threshold = threshold; }
 
+  /// With shaders for deferred shading: the lights, and whether a material reflects them. They must
+  /// outlive the next Resolve().
+  void SetLights(vtkOITLights* lights, bool hasSpecular)
+  {
+    this->Lights = lights;
+    this->HasSpecular = hasSpecular;
+  }
+
   void Release();
+
+  /// Whether lists are too long for all of their fragments to be lit in one draw of a shader: then
+  /// Resolve() has drawn nothing.
+  bool IsTooDeep(const vtkOITFragmentStore::Counters& counters) const;
 
   /// The longest list that Sort and Composite can handle on every driver: one merge over it stays
   /// below llvmpipe's 65535 loop iterations of a shader.
@@ -60,20 +70,7 @@ private:
   vtkOITFailure Count(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
     vtkOITFragmentStore::Counters& counters);
   void PrepareOutput(const vtkOITFrame& frame, const vtkOITFragmentStore& store) const;
-  /// A draw of the tiles of one class.
-  struct TileDraw
-  {
-    vtkOITScreenStage* Stage;
-    std::array<int, 2> TileClass;
-    std::function<std::string()> GetFragmentShader;
-  };
-  /// The classes of tiles are those of NetworkSizes, and one for longer lists.
-  static constexpr std::size_t Classes = vtkOITABufferShaders::NetworkSizes.size() + 1;
-  static constexpr std::size_t LongLists = Classes - 1;
-  static std::size_t FindClass(std::uint32_t length);
-  vtkOITScreenStage& GetStage(std::size_t tileClass);
-  bool Earns(std::size_t tileClass, std::int64_t tiles, bool& isFree);
-  std::vector<TileDraw> FindDraws(const std::vector<std::uint32_t>& expected);
+  using TileDraw = vtkOITTileStages::Draw;
   vtkOITFailure DrawExpected(
     const vtkOITFrame& frame, const vtkOITFragmentStore& store, const std::vector<TileDraw>& draws);
   /// The pixels that networks have left.
@@ -86,6 +83,8 @@ private:
   vtkOITFailure Sort(vtkOITScreenStage& stage, int runSize, const vtkOITFrame& frame,
     const vtkOITFragmentStore& store, const std::array<int, 2>& tileClass,
     const std::pair<int, int>& widths);
+  vtkOITFailure Composite(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
+    const std::array<int, 2>& tileClass);
   vtkOITFailure DrawLists(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
     vtkOITFragmentStore::Counters& counters, const std::array<int, 2>& tileClass,
     const std::function<void()>& drawVolumes = {});
@@ -98,18 +97,16 @@ private:
   float Threshold = 0.0f;
   vtkOITDepthComplexityMap DepthComplexity;
   vtkOITScreenStage CountStage;
-  std::array<vtkOITScreenStage, vtkOITABufferShaders::NetworkSizes.size()> ResolveStages;
-  vtkOITScreenStage WalkStage;
-  std::array<std::int64_t, Classes> Walked{}; // tiles of each class that Walk has drawn
-  bool CompilesAtOnce = false;
-  vtkOITScreenStage SecondChanceStage;
-  std::int64_t SortedTiles = 0; // with lists that networks left
+  vtkOITTileStages TileStages;
   vtkOITScreenStage QuickSortStage;
   vtkOITScreenStage SortStage;
   /// The same for tiles with short lists only, with less to do.
   static constexpr std::array<int, 2> ShortLists = { 4, 8 };
   std::array<vtkOITScreenStage, ShortLists.size()> ShortSortStages;
   vtkOITScreenStage CompositeStage;
+  vtkOITScreenStage SpecularStage; // Composite where materials reflect lights
+  vtkOITLights* Lights = nullptr;
+  bool HasSpecular = false;
 };
 
 #endif

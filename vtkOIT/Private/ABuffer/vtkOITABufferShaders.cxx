@@ -15,6 +15,9 @@
 #include "vtkOITABufferSecondChanceFS.h"
 #include "vtkOITABufferSortFS.h"
 #include "vtkOITABufferTileVS.h"
+#include "vtkOITDeferredGatherFS.h"
+#include "vtkOITDeferredLightFS.h"
+#include "vtkOITDeferredMaterialFS.h"
 #include "vtkOITDepthTestFS.h"
 #include "vtkOITFragmentFS.h"
 #include "vtkOITHalfFS.h"
@@ -28,7 +31,7 @@ bool vtkOITABufferShaders::operator==(const vtkOITABufferShaders& other) const
   {
     return std::tie(s.Samples, s.FloatColor, s.NodesInImage, s.FramebufferFetch,
       s.PostDepthCoverage, s.HeadInTarget, s.ClampColor, s.FineDerivatives, s.LastOnTop,
-      s.Interlock, s.HasLight, s.Volumes);
+      s.Interlock, s.HasLight, s.Volumes, s.Deferred);
   };
   return tie(*this) == tie(other);
 }
@@ -47,6 +50,7 @@ void vtkOITABufferShaders::AddVariant(vtkOITShaderText& text) const
   text.Define("OIT_FLOAT_COLOR", this->FloatColor);
   text.Define("OIT_NODES_IN_IMAGE", this->NodesInImage);
   text.Define("OIT_CLAMP_COLOR", this->ClampColor);
+  text.Define("OIT_DEFERRED", this->Deferred);
   text.Insert("Half", vtkOITHalfFS);
 }
 
@@ -56,6 +60,7 @@ vtkOITShaderText vtkOITABufferShaders::GetGather() const
   vtkOITShaderText text({ vtkOITFragmentFS, vtkOITABufferNodeFS, vtkOITABufferGatherFS });
   this->AddVariant(text);
   text.Insert("DepthTest", vtkOITDepthTestFS).TestDepthEarly();
+  text.Insert("Material", std::string(vtkOITDeferredMaterialFS) + vtkOITDeferredGatherFS);
   text.Define("OIT_HEAD_IN_TARGET", this->HeadInTarget);
   if (this->HeadInTarget)
   {
@@ -112,7 +117,9 @@ std::string vtkOITABufferShaders::GetTileVertexShader()
 //------------------------------------------------------------------------------
 std::string vtkOITABufferShaders::GetCount() const
 {
-  return this->MakeStage(vtkOITABufferCountFS).Define("OIT_VOLUMES", this->Volumes).GetText();
+  return this->MakeStage(vtkOITABufferCountFS)
+    .Define("OIT_COUNTS_FRAGMENTS", this->Volumes || this->Deferred)
+    .GetText();
 }
 
 //------------------------------------------------------------------------------
@@ -158,10 +165,12 @@ std::string vtkOITABufferShaders::GetSort(int runSize) const
 }
 
 //------------------------------------------------------------------------------
-std::string vtkOITABufferShaders::GetComposite() const
+std::string vtkOITABufferShaders::GetComposite(bool hasSpecular) const
 {
   return this->MakeOutputStage(vtkOITABufferCompositeFS)
     .Define("OIT_VOLUMES", this->Volumes)
+    .Define("OIT_HAS_SPECULAR", hasSpecular)
+    .Insert("Light", std::string(vtkOITDeferredMaterialFS) + vtkOITDeferredLightFS)
     .GetText();
 }
 

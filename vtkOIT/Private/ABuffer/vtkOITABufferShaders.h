@@ -28,6 +28,7 @@ struct vtkOITABufferShaders
   bool Interlock = false; // in Gather, for the order of drawing
   bool HasLight = false;  // some props add light
   bool Volumes = false;   // rays of volumes walk the lists
+  bool Deferred = false;  // nodes have materials, which Composite lights
 
   bool operator==(const vtkOITABufferShaders& other) const;
 
@@ -37,11 +38,11 @@ struct vtkOITABufferShaders
   bool HasDrawOrder() const { return this->LastOnTop && !this->HeadInTarget && !this->Interlock; }
   int GetTexelsPerNode() const
   {
-    return 1 + (this->HasWideNodes() ? 1 : 0) + (this->HasDrawOrder() ? 1 : 0);
+    return 1 + (this->HasWideNodes() || this->Deferred ? 1 : 0) + (this->HasDrawOrder() ? 1 : 0);
   }
   int GetBytesPerNode() const { return 16 * this->GetTexelsPerNode(); }
   /// All lists are sorted in memory, not only those that networks in registers leave.
-  bool SortsAll() const { return this->Volumes || this->Samples > 0; }
+  bool SortsAll() const { return this->Volumes || this->Samples > 0 || this->Deferred; }
 
   /// The stage on fragments of props.
   vtkOITShaderText GetGather() const;
@@ -57,7 +58,8 @@ struct vtkOITABufferShaders
   /// `runSize`: fragments of the runs that it starts from, OIT_RUN_SIZE, OIT_SHORT_RUN or the length
   /// of short lists.
   std::string GetSort(int runSize) const;
-  std::string GetComposite() const;
+  /// `hasSpecular`: some material may reflect lights.
+  std::string GetComposite(bool hasSpecular) const;
   /// Of a volume mapper, to which March was added (vtkOITVolumeText).
   std::string GetVolume(const std::string& mapperShader) const;
   ///@}

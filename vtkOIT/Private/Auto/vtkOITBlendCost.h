@@ -44,7 +44,13 @@ struct vtkOITBlendCost
   static constexpr double SortedPixel = 3.0;
   static constexpr double Sorted = 1.0; // captured and sorted, beyond blending it
   static constexpr double SortedDeep = 4.0;
-  static constexpr double DeepLayers = 32.0; // that are sorted in registers
+  /// Of one of several A-buffers of a frame: however small, and of each pixel, however few layers.
+  ///@{
+  static constexpr double SortedBatch = 150000.0;
+  static constexpr double SortedBatchPixel = 7.0;
+  ///@}
+  static constexpr double BlendedIntoLayer = 1.26; // a float32 one
+  static constexpr double DeepLayers = 32.0;       // that are sorted in registers
 };
 
 #endif

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Auto/vtkOITBlendPlan.h"
 
+#include "Private/Auto/vtkOITBatches.h"
 #include "Private/Auto/vtkOITBlendCost.h"
-#include "Private/Auto/vtkOITPartialOrder.h"
 #include "Private/Auto/vtkOITPropOrder.h"
 #include "Private/Frame/vtkOITCapabilities.h"
 #include "Private/Frame/vtkOITFrame.h"
@@ -18,34 +18,36 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
-#include <array>
+#include <functional>
 #include <numeric>
 
 namespace
 {
 /// Pairs grow with the square of the number of props of an island.
 constexpr std::size_t LargestIsland = 256;
+/// Of smaller islands with an order that is not known, nothing is blended.
+constexpr std::size_t SmallestPartial = 4;
 /// Fragments of a face in pixels of its rectangle: an ellipse.
 constexpr double FilledShare = 0.785;
 
 using Item = vtkOITPlacedProp;
-using Relation = vtkOITRelation;
+using Part = vtkOITPart;
+using Parts = vtkOITParts;
 using View = vtkOITView;
 using Faces = vtkOITBlendSteps::Faces;
-
-/// What is drawn of an item in one step.
-struct Part
-{
-  const Item* Whole = nullptr;
-  Faces Side = Faces::All;
-};
-using Parts = std::vector<Part>;
 
 /// Items whose rectangles touch each other, directly or through others.
 struct Island
 {
   std::vector<Item*> Members;
-  std::vector<Parts> Levels; // far to near; none when some order is not known
+  std::vector<vtkOITPartBatch> Batches; // none when it is sorted as a whole
+  bool IsKnown = false;                 // the order of all members
+
+  void FindOrder(const View& view, const std::function<bool(const Item&)>& needsSorting)
+  {
+    this->Batches = vtkOITFindBatches(this->Members, view, needsSorting);
+    this->IsKnown = this->Batches.size() == 1 && this->Batches.front().Sorted.empty();
+  }
 
   bool HasClosed() const
   {
@@ -102,116 +104,22 @@ std::vector<Island> FindIslands(std::vector<Item>& items)
   return byRoot;
 }
 
-/// False when one of the shapes is not known; then not all have been looked for.
+/// False when the depths of one are not within its bounds; then not all have been looked for.
 bool FindShapes(Island& island, vtkOITMeshShapes& shapes)
 {
   for (Item* item : island.Members)
   {
     item->Shape =
       item->Extent->IsBounded ? shapes.Find(item->Prop, item->Balls) : vtkOITMeshShape::Unknown;
-    if (item->Shape == vtkOITMeshShape::Unknown)
+    if (item->Shape == vtkOITMeshShape::Unknown &&
+      (!item->Extent->IsBounded || island.Members.size() < SmallestPartial ||
+        !vtkOITMeshShapes::IsSurface(item->Prop)))
     {
       return false;
     }
     std::copy_n(item->Prop->GetBounds(), 6, item->Bounds.begin());
   }
   return true;
-}
-
-/// The most that a pixel can have: one of each part.
-int CountLayers(const Island& island)
-{
-  return std::accumulate(island.Members.begin(), island.Members.end(), 0,
-    [](int layers, const Item* item) { return layers + (item->IsClosed() ? 2 : 1); });
-}
-
-/// The parts of all items, and which are behind which.
-class PartOrder
-{
-public:
-  explicit PartOrder(const Island& island)
-    : Order(static_cast<std::size_t>(CountLayers(island)))
-  {
-    for (const Item* item : island.Members)
-    {
-      this->First.push_back(this->AllParts.size());
-      if (item->IsClosed())
-      {
-        this->AllParts.push_back({ item, Faces::Far });
-        this->AllParts.push_back({ item, Faces::Near });
-        this->Order.SetBefore(this->First.back(), this->First.back() + 1);
-      }
-      else
-      {
-        this->AllParts.push_back({ item, Faces::All });
-      }
-    }
-    this->First.push_back(this->AllParts.size());
-  }
-
-  void SetBehind(std::size_t back, std::size_t front)
-  {
-    this->Order.SetBefore(this->GetLast(back), this->First[front]);
-  }
-  void SetAround(std::size_t outer, std::size_t inner)
-  {
-    this->Order.SetBefore(this->First[outer], this->First[inner]);
-    this->Order.SetBefore(this->GetLast(inner), this->GetLast(outer));
-  }
-  std::vector<Parts> FindLevels() const
-  {
-    std::vector<Parts> levels;
-    for (const vtkOITPartialOrder::Numbers& numbers : this->Order.FindLevels())
-    {
-      levels.emplace_back();
-      for (const std::size_t part : numbers)
-      {
-        levels.back().push_back(this->AllParts[part]);
-      }
-    }
-    return levels;
-  }
-
-private:
-  std::size_t GetLast(std::size_t item) const { return this->First[item + 1] - 1; }
-
-  vtkOITPartialOrder Order; // of parts
-  Parts AllParts;
-  std::vector<std::size_t> First; // part of each item, and the end
-};
-
-/// Far to near: a part is on a higher level than all parts behind it that share pixels with it.
-/// Nothing when some order is not known, or there is none.
-std::vector<Parts> FindLevels(const Island& island, const View& view)
-{
-  const std::vector<Item*>& items = island.Members;
-  PartOrder order(island);
-  for (std::size_t a = 0; a < items.size(); ++a)
-  {
-    for (std::size_t b = a + 1; b < items.size(); ++b)
-    {
-      switch (items[a]->Compare(*items[b], view))
-      {
-        case Relation::Apart:
-          break;
-        case Relation::FirstInFront:
-          order.SetBehind(b, a);
-          break;
-        case Relation::SecondInFront:
-          order.SetBehind(a, b);
-          break;
-        case Relation::FirstAround:
-          order.SetAround(a, b);
-          break;
-        case Relation::SecondAround:
-          order.SetAround(b, a);
-          break;
-        case Relation::Unknown:
-          return {};
-      }
-    }
-  }
-  return order.FindLevels();
 }
 
 /// About as many as the polygons of the mesh; of props whose shape is known.
@@ -234,7 +142,7 @@ vtkOITBlendCost FindCost(const std::vector<Island>& islands, std::int64_t frameA
     for (const Item* item : island.Members)
     {
       const vtkOITRectangle& rectangle = item->Extent->Rectangle;
-      if (island.Levels.empty())
+      if (!island.IsKnown)
       {
         left = left.Unite(rectangle);
       }
@@ -275,15 +183,109 @@ void AppendTo(std::vector<vtkOITBlendSteps::Step>& steps, const Parts& level, Fa
   }
   steps.push_back(std::move(step));
 }
+
+/// Batches of the same number of all islands, which share no pixels, are drawn together.
+class OrderMaker
+{
+public:
+  explicit OrderMaker(const vtkOITFrame& frame)
+    : Frame(frame)
+  {
+  }
+
+  void Add(const Island& island)
+  {
+    if (island.Batches.empty())
+    {
+      for (const Item* item : island.Members)
+      {
+        AddTo(this->GetBatch(0).Sort, *item);
+      }
+    }
+    for (std::size_t b = 0; b < island.Batches.size(); ++b)
+    {
+      vtkOITBatch& batch = this->GetBatch(b);
+      this->AddLevels(b, island.Batches[b].Levels);
+      for (const Item* item : island.Batches[b].Sorted)
+      {
+        AddTo(batch.Sort, *item);
+      }
+    }
+  }
+
+  vtkOITOrder Finish()
+  {
+    for (std::size_t b = 0; b < this->Levels.size(); ++b)
+    {
+      vtkOITBatch& batch = this->Order.Batches[b];
+      batch.Sort.Rectangle = batch.Sort.Rectangle.Intersect(this->Frame.Rectangle);
+      for (const Parts& level : this->Levels[b])
+      {
+        for (const Faces side : { Faces::Far, Faces::Near, Faces::All })
+        {
+          AppendTo(batch.Blend.Steps, level, side);
+        }
+      }
+    }
+    return std::move(this->Order);
+  }
+
+private:
+  vtkOITBatch& GetBatch(std::size_t b)
+  {
+    while (this->Levels.size() <= b)
+    {
+      vtkOITBatch batch;
+      batch.Sort = this->Frame;
+      batch.Sort.Props.clear();
+      batch.Sort.Extents.clear();
+      batch.Sort.Rectangle = {};
+      this->Order.Batches.push_back(std::move(batch));
+      this->Levels.emplace_back();
+    }
+    return this->Order.Batches[b];
+  }
+
+  static void AddTo(vtkOITFrame& sort, const Item& item)
+  {
+    sort.Props.push_back(item.Prop);
+    sort.Extents.push_back(*item.Extent);
+    sort.Rectangle = sort.Rectangle.Unite(item.Extent->Rectangle);
+  }
+
+  /// Of an island, which can have all of its parts at a pixel.
+  void AddLevels(std::size_t b, const std::vector<Parts>& levels)
+  {
+    vtkOITBlendSteps& blend = this->Order.Batches[b].Blend;
+    int layers = 0;
+    this->Levels[b].resize(std::max(this->Levels[b].size(), levels.size()));
+    for (std::size_t l = 0; l < levels.size(); ++l)
+    {
+      Parts& all = this->Levels[b][l];
+      all.insert(all.end(), levels[l].begin(), levels[l].end());
+      layers += static_cast<int>(levels[l].size());
+      for (const Part& part : levels[l])
+      {
+        blend.NumberOfProps += part.Side == Faces::Near ? 0 : 1;
+        blend.Rectangle = blend.Rectangle.Unite(part.Whole->Extent->Rectangle);
+        if (part.Whole->Shape == vtkOITMeshShape::ClosedConvexInside)
+        {
+          blend.InsideOut.push_back(part.Whole->Prop);
+        }
+      }
+    }
+    blend.MaximumLayers = std::max(blend.MaximumLayers, layers);
+  }
+
+  const vtkOITFrame& Frame;
+  vtkOITOrder Order;
+  std::vector<std::vector<Parts>> Levels; // of each batch
+};
 }
 
 //------------------------------------------------------------------------------
 vtkOITBlendPlan::vtkOITBlendPlan(const vtkOITFrame& frame, vtkOITMeshShapes& shapes)
-  : Sorted(frame)
 {
-  this->Sorted.Props.clear();
-  this->Sorted.Extents.clear();
-  this->Sorted.Rectangle = {};
   const View view(frame.Renderer);
   // Polygon offset moves depths away from where the bounds say.
   const bool hasPlainDepth = vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF &&
@@ -295,53 +297,35 @@ vtkOITBlendPlan::vtkOITBlendPlan(const vtkOITFrame& frame, vtkOITMeshShapes& sha
     items[i].Extent = &frame.Extents[i];
   }
   std::vector<Island> islands = FindIslands(items);
+  const auto isUnknown = [](const Item& item) { return item.Shape == vtkOITMeshShape::Unknown; };
+  std::vector<Island*> placed; // their shapes are known, and where they are
   for (Island& island : islands)
   {
     if (hasPlainDepth && island.Members.size() <= LargestIsland && FindShapes(island, shapes))
     {
-      island.Levels = FindLevels(island, view);
+      placed.push_back(&island);
+      island.FindOrder(view, isUnknown);
     }
   }
   // Peeling costs several times as much as the A-buffer that this is compared with.
+  const double frameArea = static_cast<double>(frame.Rectangle.GetArea());
   const bool blendsClosed =
     !frame.Capabilities->HasStorage() || FindCost(islands, frame.Rectangle.GetArea()).Pays();
   shapes.Prune();
-
-  std::vector<Parts> levels;
-  for (const Island& island : islands)
+  for (Island* island : placed)
   {
-    const bool isBlended = !island.Levels.empty() && (blendsClosed || !island.HasClosed());
-    if (isBlended)
+    if (!blendsClosed && island->HasClosed())
     {
-      levels.resize(std::max(levels.size(), island.Levels.size()));
-      for (std::size_t level = 0; level < island.Levels.size(); ++level)
-      {
-        const Parts& found = island.Levels[level];
-        levels[level].insert(levels[level].end(), found.begin(), found.end());
-      }
-      this->Blended.NumberOfProps += static_cast<int>(island.Members.size());
-      this->Blended.MaximumLayers = std::max(this->Blended.MaximumLayers, CountLayers(island));
+      island->FindOrder(view, [&](const Item& item) { return isUnknown(item) || item.IsClosed(); });
     }
-    for (const Item* item : island.Members)
+    if (!island->IsKnown &&
+      (island->Members.size() < SmallestPartial || !vtkOITBatchesPay(island->Batches, frameArea)))
     {
-      vtkOITRectangle& rectangle = isBlended ? this->Blended.Rectangle : this->Sorted.Rectangle;
-      rectangle = rectangle.Unite(item->Extent->Rectangle);
-      if (!isBlended)
-      {
-        this->Sorted.Props.push_back(item->Prop);
-        this->Sorted.Extents.push_back(*item->Extent);
-      }
-      else if (item->Shape == vtkOITMeshShape::ClosedConvexInside)
-      {
-        this->Blended.InsideOut.push_back(item->Prop);
-      }
+      island->Batches.clear();
     }
   }
-  this->Sorted.Rectangle = this->Sorted.Rectangle.Intersect(frame.Rectangle);
-  for (const Parts& level : levels)
-  {
-    AppendTo(this->Blended.Steps, level, Faces::Far);
-    AppendTo(this->Blended.Steps, level, Faces::Near);
-    AppendTo(this->Blended.Steps, level, Faces::All);
-  }
+  OrderMaker maker(frame);
+  std::for_each(
+    islands.begin(), islands.end(), [&maker](const Island& island) { maker.Add(island); });
+  this->Order = maker.Finish();
 }

@@ -5,13 +5,17 @@
 #include "Private/Auto/vtkOITMeshShapes.h"
 #include "Private/Frame/vtkOITCompatibility.h"
 #include "Private/Frame/vtkOITFrame.h"
+#include "Private/Volume/vtkOITVolumes.h"
 
 #include "vtkActor.h"
+#include "vtkAlgorithm.h"
 #include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
+#include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleVectorKey.h"
@@ -22,15 +26,20 @@
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
+#include "vtkShaderProperty.h"
 #include "vtkSmartPointer.h"
 #include "vtkTexture.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 
 #include <cstring>
+#include <string>
 
 namespace
 {
@@ -50,6 +59,23 @@ bool HasPlainKeys(vtkProp* prop)
       !keys->Has(vtkOITGeneralTextureTransform()));
 }
 
+/// Where more time is allowed than any frame takes, mappers take the same samples in each.
+constexpr double LongerThanAnyFrame = 100.0; // s
+
+/// One input, VTK's shader, and samples that do not depend on how long the last frame took.
+bool IsPlainVolume(vtkVolume* volume, vtkGPUVolumeRayCastMapper* mapper)
+{
+  vtkShaderProperty* shader = volume->GetShaderProperty();
+  return volume->GetClassName() == std::string("vtkVolume") && HasPlainKeys(volume) &&
+    mapper->GetClassName() == std::string("vtkOpenGLGPUVolumeRayCastMapper") &&
+    mapper->GetInputCount() == 1 && shader->GetNumberOfShaderReplacements() == 0 &&
+    !shader->HasVertexShaderCode() && !shader->HasFragmentShaderCode() &&
+    !mapper->HasObserver(vtkCommand::UpdateShaderEvent) &&
+    !volume->GetMapper()->HasObserver(vtkCommand::UpdateShaderEvent) &&
+    (!mapper->GetAutoAdjustSampleDistances() ||
+      volume->GetAllocatedRenderTime() > LongerThanAnyFrame);
+}
+
 /// Nothing draws into it but its input.
 bool IsKnownTexture(vtkTexture* texture)
 {
@@ -67,6 +93,13 @@ vtkOITFrameSignature::vtkOITFrameSignature(const vtkOITFrame& frame, vtkMTimeTyp
   this->AddView(frame);
   this->AddLights(frame);
   this->AddProps(frame);
+  if (frame.Volumes)
+  {
+    for (vtkProp* prop : frame.Volumes->GetBetween())
+    {
+      this->AddVolume(prop);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -187,6 +220,54 @@ void vtkOITFrameSignature::AddProps(const vtkOITFrame& frame)
     if (!plain)
     {
       this->AddBlocks(actor->GetMapper());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Not by GetRedrawMTime(): that gives the property a gradient opacity of 1, with which mappers compute
+// gradients at each sample.
+void vtkOITFrameSignature::AddVolume(vtkProp* prop)
+{
+  auto* volume = vtkVolume::SafeDownCast(prop);
+  vtkGPUVolumeRayCastMapper* mapper = volume ? vtkOITFindGPUMapper(volume) : nullptr;
+  if (!mapper || !IsPlainVolume(volume, mapper))
+  {
+    this->Known = false;
+    return;
+  }
+  if (vtkAlgorithm* input = volume->GetMapper()->GetInputAlgorithm())
+  {
+    input->Update();
+  }
+  vtkVolumeProperty* property = volume->GetProperty();
+  this->Add(prop);
+  this->Add(volume->GetMTime());
+  this->Add(property);
+  this->Add(property->GetMTime());
+  this->Add(volume->GetMapper());
+  this->Add(volume->GetMapper()->GetMTime());
+  this->Add(mapper->GetMTime());
+  this->AddDoubles(volume->GetMatrix()->GetData(), 16);
+  const auto addTime = [this](vtkObject* object) { this->Add(object ? object->GetMTime() : 0); };
+  addTime(volume->GetMapper()->GetDataSetInput());
+  addTime(mapper->GetMaskInput());
+  for (int i = 0; i < VTK_MAX_VRCOMP; ++i)
+  {
+    addTime(property->GetTransferFunction2D(i));
+  }
+  for (const int label : property->GetLabelMapLabels())
+  {
+    this->Add(static_cast<std::uint64_t>(label));
+    addTime(property->GetLabelColor(label));
+    addTime(property->GetLabelScalarOpacity(label));
+    addTime(property->GetLabelGradientOpacity(label));
+  }
+  if (vtkPlaneCollection* planes = volume->GetMapper()->GetClippingPlanes())
+  {
+    for (int i = 0; i < planes->GetNumberOfItems(); ++i)
+    {
+      this->Add(planes->GetItem(i)->GetMTime());
     }
   }
 }

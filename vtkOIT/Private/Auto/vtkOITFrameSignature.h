@@ -9,13 +9,14 @@
 #include <vector>
 
 class vtkMapper;
+class vtkProp;
 struct vtkOITFrame;
 
 /**
  * Everything that the translucent layer of a frame is made from, as numbers, but for the depth of
  * the opaque geometry (vtkOITDepthCheck): camera, viewport, lights, and of each prop the time of
  * its last modification, that of its mapper, data with all blocks, attributes of blocks, lookup
- * table, textures and clipping planes included. Frames with equal signatures have equal layers.
+ * table, textures and clipping planes included; the same of the volumes between them. Frames with equal signatures have equal layers.
  */
 class vtkOITFrameSignature
 {
@@ -27,7 +28,8 @@ public:
   /// False where a change could go unseen: props with shaders or uniforms of their own, mappers
   /// other than VTK's for polygons and composite data, blocks with lookup tables or textures of
   /// their own, textures of properties, textures without an image, stereo, shadows, image-based
-  /// lighting, other passes that change shaders.
+  /// lighting, other passes that change shaders; volumes with several inputs, with shaders of
+  /// their own, or whose samples depend on the time that frames take.
   bool IsKnown() const { return this->Known; }
 
   bool operator==(const vtkOITFrameSignature& other) const
@@ -43,6 +45,7 @@ private:
   void AddLights(const vtkOITFrame& frame);
   void AddProps(const vtkOITFrame& frame);
   void AddBlocks(vtkMapper* mapper);
+  void AddVolume(vtkProp* prop);
 
   std::vector<std::uint64_t> Numbers;
   bool Known = false;

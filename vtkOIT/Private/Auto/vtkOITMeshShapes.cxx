@@ -26,15 +26,26 @@ bool IsCalled(vtkObjectBase* object, const char* name)
   return std::strcmp(object->GetClassName(), name) == 0;
 }
 
-/// Only the triangles of its mesh are drawn, all of them, at their own depth.
-bool DrawsPlainSurface(vtkActor* actor, vtkPolyData* mesh)
+/// Its mesh when only polygons of that are drawn, at their own depth; or nullptr.
+vtkPolyData* FindPlainSurface(vtkActor* actor)
 {
+  if (!actor || actor->GetMapper()->GetNumberOfInputConnections(0) == 0)
+  {
+    return nullptr;
+  }
+  actor->GetMapper()->GetInputAlgorithm()->Update();
+  auto* mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
   vtkProperty* property = actor->GetProperty();
-  return !vtkOITDrawsSelection(actor->GetMapper(), 0) &&
+  const bool isPlain = mesh && !vtkOITDrawsSelection(actor->GetMapper(), 0) &&
     property->GetRepresentation() == VTK_SURFACE && !property->GetEdgeVisibility() &&
-    !property->GetVertexVisibility() && !property->GetBackfaceCulling() &&
-    !property->GetFrontfaceCulling() && mesh->GetNumberOfVerts() == 0 &&
+    !property->GetVertexVisibility() && mesh->GetNumberOfVerts() == 0 &&
     mesh->GetNumberOfLines() == 0 && mesh->GetNumberOfStrips() == 0;
+  return isPlain ? mesh : nullptr;
+}
+
+bool DrawsAllFaces(vtkProperty* property)
+{
+  return !property->GetBackfaceCulling() && !property->GetFrontfaceCulling();
 }
 
 /// Nothing is said for a transformation that does not keep balls what they are.
@@ -102,17 +113,18 @@ vtkActor* vtkOITFindCompositeActor(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
+bool vtkOITMeshShapes::IsSurface(vtkProp* prop)
+{
+  return FindPlainSurface(vtkOITFindPlainActor(prop)) != nullptr;
+}
+
+//------------------------------------------------------------------------------
 vtkOITMeshShape vtkOITMeshShapes::Find(vtkProp* prop, vtkOITMeshBalls& balls)
 {
   balls = {};
   vtkActor* actor = vtkOITFindPlainActor(prop);
-  if (!actor || actor->GetMapper()->GetNumberOfInputConnections(0) == 0)
-  {
-    return vtkOITMeshShape::Unknown;
-  }
-  actor->GetMapper()->GetInputAlgorithm()->Update();
-  auto* mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
-  if (!mesh || mesh->GetNumberOfPolys() > LargestMesh || !DrawsPlainSurface(actor, mesh))
+  vtkPolyData* mesh = FindPlainSurface(actor);
+  if (!mesh || mesh->GetNumberOfPolys() > LargestMesh || !DrawsAllFaces(actor->GetProperty()))
   {
     return vtkOITMeshShape::Unknown;
   }

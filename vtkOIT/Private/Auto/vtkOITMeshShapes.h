@@ -24,6 +24,9 @@ public:
   /// stretched or skewed.
   vtkOITMeshShape Find(vtkProp* prop, vtkOITMeshBalls& balls);
 
+  /// Whether a prop draws nothing but the surface of its mesh, so that its depths are within its bounds.
+  static bool IsSurface(vtkProp* prop);
+
   /// Drops what no prop has asked for in the last LongestRest calls.
   void Prune();
 

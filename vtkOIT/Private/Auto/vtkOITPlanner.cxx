@@ -48,7 +48,9 @@ vtkOITPlan vtkOITPlanner::MakePlan(
   const vtkOITFrame& frame, const vtkOITSettings& settings, bool isKnown)
 {
   vtkOITPlan plan;
-  plan.Frame = settings.SkipInvisibleProps ? DropInvisibleProps(frame) : frame;
+  // Between volumes all is sorted, and pixels without props belong to the frame.
+  const bool hasVolumes = frame.Volumes != nullptr;
+  plan.Frame = settings.SkipInvisibleProps && !hasVolumes ? DropInvisibleProps(frame) : frame;
   const std::size_t dropped = frame.Props.size() - plan.Frame.Props.size();
   if (dropped > 0)
   {
@@ -63,13 +65,10 @@ vtkOITPlan vtkOITPlanner::MakePlan(
   {
     this->Signature = signature;
   }
-  if (settings.SkipSorting)
+  if (settings.SkipSorting && !hasVolumes)
   {
     plan.FindOrder = [this](const vtkOITFrame& group)
-    {
-      const vtkOITBlendPlan found(group, this->Shapes);
-      return vtkOITOrder{ found.Blended, found.Sorted };
-    };
+    { return vtkOITBlendPlan(group, this->Shapes).Order; };
   }
   return plan;
 }

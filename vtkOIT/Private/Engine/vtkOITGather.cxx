@@ -4,6 +4,7 @@
 
 #include "Private/Engine/vtkOITGatherHook.h"
 #include "Private/Engine/vtkOITPropKeys.h"
+#include "Private/Engine/vtkOITReplacements.h"
 #include "Private/GL/vtkOITProgram.h"
 
 #include "vtkInformation.h"
@@ -134,10 +135,25 @@ void vtkOITGatherHook::SetStage(vtkOITShaderText stage)
 }
 
 //------------------------------------------------------------------------------
+bool vtkOITGatherHook::PreReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop)
+{
+  if (this->Gather && this->Gather->Replacements)
+  {
+    this->Gather->Replacements->Before(fragmentShader, mapper, prop);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 // Many props have the same texts, and are asked for them when they change.
 bool vtkOITGatherHook::PostReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
+  if (this->Gather && this->Gather->Replacements)
+  {
+    this->Gather->Replacements->After(fragmentShader);
+  }
   const std::string replacements = DescribeReplacements(prop);
   const auto found = std::find_if(this->Known.begin(), this->Known.end(),
     [&](const Text& text)

@@ -13,6 +13,7 @@
 #include <utility>
 
 class vtkOITGatherHook;
+class vtkOITReplacements;
 class vtkProp;
 class vtkShaderProgram;
 
@@ -33,6 +34,13 @@ public:
   /// programs anew, and the engine makes anew what depends on the variant.
   bool SetStage(vtkOITShaderText stage);
 
+  /// What happens to the texts of mappers before that, or nullptr (default). To be changed together
+  /// with the stage; it must outlive the gather.
+  void SetReplacements(const vtkOITReplacements* replacements)
+  {
+    this->Replacements = replacements;
+  }
+
   /// Called before each draw of a prop, of its program, which is current.
   using UniformSetter = std::function<void(vtkShaderProgram* program, vtkProp* prop)>;
   void SetUniforms(UniformSetter setUniforms) { this->Setter = std::move(setUniforms); }
@@ -42,6 +50,7 @@ public:
 
 private:
   vtkSmartPointer<vtkOITGatherHook> Hook;
+  const vtkOITReplacements* Replacements = nullptr;
   UniformSetter Setter;
   friend class vtkOITGatherHook;
 };

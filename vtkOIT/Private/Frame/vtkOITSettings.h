@@ -19,6 +19,14 @@ struct vtkOITSettings
   double OcclusionRatio = 0.0;
   bool UseOcclusionQuery = true;
   bool SkipHiddenFragments = true;
+  /// Whether the A-buffer lights fragments after it has sorted them.
+  enum class Deferral
+  {
+    Never,
+    WhereItPays,
+    Always
+  };
+  Deferral DeferShading = Deferral::Never;
   bool SkipInvisibleProps = false;
   bool SkipSorting = false;
   bool ReuseFrames = false;

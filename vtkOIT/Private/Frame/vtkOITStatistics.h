@@ -32,6 +32,8 @@ struct vtkOITStatistics
     this->Exact = this->Exact && bound == 0.0;
     this->ErrorBound = std::max(this->ErrorBound, bound);
   }
+  /// The same of what was drawn over or under that.
+  void AddError(double bound) { this->NoteError(std::min(1.0, this->ErrorBound + bound)); }
   void AddToSummary(const std::string& what)
   {
     this->Summary += (this->Summary.empty() ? "" : "; ") + what;
@@ -69,7 +71,7 @@ struct vtkOITStatistics
     this->NumberOfPeels += part.NumberOfPeels;
     this->NumberOfLostFragments += part.NumberOfLostFragments;
     this->SkippedHiddenFragments = this->SkippedHiddenFragments || part.SkippedHiddenFragments;
-    this->NoteError(part.ErrorBound);
+    this->AddError(part.ErrorBound);
     this->Exact = this->Exact && part.Exact;
     if (!part.Summary.empty())
     {

@@ -26,7 +26,7 @@ constexpr std::array<TextureTarget, 4> TextureTargets = {
     { GL_TEXTURE_2D_MULTISAMPLE, GL_TEXTURE_BINDING_2D_MULTISAMPLE } }
 };
 
-constexpr int FirstUnit = OIT_UNIT_BUCKET_BOUNDS;
+constexpr int FirstUnit = OIT_UNIT_BUCKET_TABLE;
 
 void SetCapability(GLenum capability, bool isEnabled)
 {

@@ -18,10 +18,11 @@ public:
   }
 
 protected:
-  vtkOITPeeler& ChoosePeeler(const vtkOITFrame& frame) override
+  vtkOITPeeler& ChoosePeeler(const vtkOITFrame& frame, const vtkOITSettings& settings) override
   {
-    return vtkOITPeelState::CanWorkInPlace(frame) ? this->LayerPeeler
-                                                  : vtkOITPeelingEngine::ChoosePeeler(frame);
+    return vtkOITPeelState::CanWorkInPlace(frame)
+      ? this->LayerPeeler
+      : vtkOITPeelingEngine::ChoosePeeler(frame, settings);
   }
 
 private:

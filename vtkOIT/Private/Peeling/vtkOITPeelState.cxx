@@ -248,12 +248,12 @@ vtkOITFailure vtkOITPeelState::Resolve(vtkOITScreenStage& stage,
 }
 
 //------------------------------------------------------------------------------
-// Where layers are peeled from both sides these take turns, so that props which are peeled from the
+// Where as many layers are peeled from both sides these take turns, so that props which are peeled from the
 // front and props which are peeled from the back are both found out.
 vtkOITFailure vtkOITPeelState::Mask(std::size_t peel)
 {
   vtkOpenGLState* state = this->Frame->GLState;
-  const bool isFront = !this->TheLayout.HasBack || peel % 2 != 0;
+  const bool isFront = !this->TheLayout.HasBack || !this->TheLayout.MasksBack || peel % 2 != 0;
   this->Side = isFront ? MaskSide::Front : MaskSide::Back;
   if (vtkOITFailure failure =
         this->MaskFramebuffer.Bind(this->Frame->Window, {}, this->MaskDepth.GetLayer(0)))

@@ -100,7 +100,7 @@ vtkOITFailure vtkOITPeelingEngine::Draw(const vtkOITFrame& frame, const vtkOITSe
     return vtkOITFailure("the application counts samples while it renders, and by such counts "
                          "peeling ends; end its occlusion query before Render()");
   }
-  vtkOITPeeler& peeler = this->ChoosePeeler(frame);
+  vtkOITPeeler& peeler = this->ChoosePeeler(frame, settings);
   if (&peeler != this->Chosen)
   {
     this->Chosen->Release();

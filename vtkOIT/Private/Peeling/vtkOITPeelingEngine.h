@@ -34,7 +34,10 @@ public:
 
 protected:
   /// The one for a frame. A method that has several gives another one where it is better.
-  virtual vtkOITPeeler& ChoosePeeler(const vtkOITFrame&) { return *this->Peeler; }
+  virtual vtkOITPeeler& ChoosePeeler(const vtkOITFrame&, const vtkOITSettings&)
+  {
+    return *this->Peeler;
+  }
 
 private:
   /// How the peeling of a band ended in the last frame.

@@ -6,17 +6,41 @@
 #include "Private/Blending/vtkOITBlendSteps.h"
 #include "Private/Frame/vtkOITFrame.h"
 
+#include <algorithm>
 #include <functional>
+#include <numeric>
 #include <string>
 #include <vector>
 
 class vtkProp;
 
-/// Job blend: props whose order is known. Job sort: all others, and where they are.
-struct vtkOITOrder
+/// Job blend: props whose order is known. Job sort, over them: others, and where they are.
+struct vtkOITBatch
 {
   vtkOITBlendSteps Blend;
   vtkOITFrame Sort;
+};
+
+/// Batches back to front; all props are in one of them.
+struct vtkOITOrder
+{
+  std::vector<vtkOITBatch> Batches;
+
+  bool HasSorted() const
+  {
+    return std::any_of(this->Batches.begin(), this->Batches.end(),
+      [](const vtkOITBatch& batch) { return !batch.Sort.Props.empty(); });
+  }
+  int CountBlended() const
+  {
+    return std::accumulate(this->Batches.begin(), this->Batches.end(), 0,
+      [](int count, const vtkOITBatch& batch) { return count + batch.Blend.NumberOfProps; });
+  }
+  /// Whether pixels are blended to several times, so that each would be rounded.
+  bool NeedsLayer() const
+  {
+    return this->Batches.size() > 1 || this->Batches.front().Blend.MaximumLayers > 1;
+  }
 };
 
 /// How a frame is drawn: its jobs, made without touching OpenGL. vtkOITPlanRunner carries them out.

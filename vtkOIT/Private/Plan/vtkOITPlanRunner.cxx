@@ -12,6 +12,7 @@
 #include "vtkProp.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace
@@ -42,7 +43,7 @@ void vtkOITPlanRunner::Run(const vtkOITPlan& plan, const vtkOITSettings& setting
       !(isStill && this->Reuse(group.Frame, ofGroup)))
     {
       const vtkOITOrder order =
-        plan.FindOrder ? plan.FindOrder(group.Frame) : vtkOITOrder{ {}, group.Frame };
+        plan.FindOrder ? plan.FindOrder(group.Frame) : vtkOITOrder{ { { {}, group.Frame } } };
       this->Draw({ group.Frame, order, settings, geometry, saved, ofGroup }, isStill);
     }
     statistics.Add(ofGroup);
@@ -76,24 +77,49 @@ void vtkOITPlanRunner::Draw(const Task& task, bool keepsLayer)
 {
   this->HasLayer = false;
   vtkOITTarget target = task.Frame.Target;
-  Into into = this->ChooseTarget(task, keepsLayer, target);
-  bool isBlended = false;
-  if (this->Blend(task, target, into, isBlended) && into == Into::Layer)
+  const Into into = this->ChooseTarget(task, keepsLayer, target);
+  const bool isWhole = this->DrawBatches(task, target, into) &&
+    (into != Into::Layer || this->CompositeLayer(task, keepsLayer));
+  if (!isWhole)
   {
-    into = Into::Framebuffer; // the layer is dropped, with what is in it
-    isBlended = false;
+    this->Sort(task, task.Frame); // the layer is dropped, with what is in it
   }
-  const vtkOITFrame& sorted = isBlended ? task.Order.Sort : task.Frame;
-  this->Sort(task, into == Into::Layer ? sorted.On(target) : sorted);
-  if (isBlended)
+}
+
+//------------------------------------------------------------------------------
+// False, and nothing is drawn but into the layer, when all is to be sorted.
+bool vtkOITPlanRunner::DrawBatches(const Task& task, const vtkOITTarget& target, Into into)
+{
+  const vtkOITOrder& order = task.Order;
+  const int blended = order.CountBlended();
+  if (blended > 0 && order.NeedsLayer() && into == Into::Framebuffer)
   {
-    task.Statistics.NumberOfFragments = -1;
-    task.Statistics.MaximumDepthComplexity = -1;
+    return false;
   }
-  if (into == Into::Layer && !this->CompositeLayer(task, keepsLayer))
+  for (const vtkOITBatch& batch : order.Batches)
   {
-    this->Sort(task, task.Frame);
+    bool isBlended = false;
+    const vtkOITFailure failure = this->Blend(task, batch.Blend, target, into, isBlended);
+    if ((failure && into == Into::Layer) || (!isBlended && batch.Blend.NumberOfProps > 0))
+    {
+      return false;
+    }
+    this->Sort(task, into == Into::Layer ? batch.Sort.On(target) : batch.Sort);
   }
+  if (blended > 0)
+  {
+    vtkOITStatistics& statistics = task.Statistics;
+    statistics.AddToSummary(std::to_string(blended) + " of " +
+      std::to_string(task.Frame.Props.size()) + " props blended: their order is known");
+    if (!order.HasSorted())
+    {
+      statistics.Algorithm = this->Blending.GetAlgorithmName(task.Settings);
+      statistics.Reason = "the order of all props is known";
+    }
+    statistics.NumberOfFragments = -1;
+    statistics.MaximumDepthComplexity = -1;
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -133,15 +159,14 @@ vtkOITPlanRunner::Into vtkOITPlanRunner::ChooseTarget(
   const Task& task, bool& keepsLayer, vtkOITTarget& target)
 {
   const vtkOITFrame& frame = task.Frame;
-  const vtkOITBlendSteps& blend = task.Order.Blend;
-  const bool needsLayer = blend.MaximumLayers > 1;
+  const vtkOITOrder& order = task.Order;
+  const bool needsLayer = order.NeedsLayer();
   const std::int64_t limit = task.Settings.BufferLimit;
   if (limit == 0)
   {
     return Into::Framebuffer; // a plan with layers comes with a limit
   }
-  const std::int64_t forSorting =
-    task.Order.Sort.Props.empty() ? 0 : std::max(limit / 2, SmallestLimit);
+  const std::int64_t forSorting = order.HasSorted() ? std::max(limit / 2, SmallestLimit) : 0;
   const std::int64_t forLayer = vtkOITLayerTarget::GetBytes(frame, frame.Rectangle);
   const std::int64_t forDepth = vtkOITDepthCheck::GetBytes(frame);
   keepsLayer = keepsLayer && forLayer + forDepth <= limit - forSorting;
@@ -161,7 +186,8 @@ vtkOITPlanRunner::Into vtkOITPlanRunner::ChooseTarget(
   {
     keepsLayer = false;
   }
-  if (!keepsLayer && needsLayer && vtkOITWritesByFetch(frame) &&
+  const vtkOITBlendSteps& blend = order.Batches.front().Blend;
+  if (!keepsLayer && needsLayer && order.Batches.size() == 1 && vtkOITWritesByFetch(frame) &&
     blend.MaximumLayers <= MostLayersBeside &&
     !this->Layer.BeginBeside(frame, blend.Rectangle.Intersect(frame.Rectangle), target))
   {
@@ -176,15 +202,13 @@ vtkOITPlanRunner::Into vtkOITPlanRunner::ChooseTarget(
 }
 
 //------------------------------------------------------------------------------
-// Not blended, with nothing to blend or nothing to blend it into, or when that fails before anything
-// is drawn: then all props are sorted. What has failed later is a fault of the picture, unless it is
-// only in the layer.
-vtkOITFailure vtkOITPlanRunner::Blend(
-  const Task& task, const vtkOITTarget& target, Into into, bool& isBlended)
+// Not blended, with nothing to blend, or when that fails before anything is drawn. What has failed
+// later is a fault of the picture, unless it is only in the layer.
+vtkOITFailure vtkOITPlanRunner::Blend(const Task& task, const vtkOITBlendSteps& blend,
+  const vtkOITTarget& target, Into into, bool& isBlended)
 {
-  const vtkOITBlendSteps& blend = task.Order.Blend;
   isBlended = false;
-  if (blend.NumberOfProps == 0 || (blend.MaximumLayers > 1 && into == Into::Framebuffer))
+  if (blend.Steps.empty())
   {
     return {};
   }
@@ -197,10 +221,6 @@ vtkOITFailure vtkOITPlanRunner::Blend(
     return failure;
   }
   isBlended = true;
-  task.Statistics.AddToSummary(std::to_string(blend.NumberOfProps) + " of " +
-    std::to_string(task.Frame.Props.size()) + " props blended: their order is known");
-  task.Statistics.Algorithm = this->Blending.GetAlgorithmName(task.Settings);
-  task.Statistics.Reason = "the order of all props is known";
   if (failure)
   {
     task.Statistics.NoteFault("Some props are left out: " + failure.GetReason());
@@ -222,9 +242,13 @@ void vtkOITPlanRunner::Sort(const Task& task, const vtkOITFrame& frame)
       settings.BufferLimit - this->Layer.GetSizeInBytes() - this->DepthCheck.GetSizeInBytes());
   }
   const bool fits = this->SortedFragments * BytesPerFragment <= settings.BufferLimit;
+  // Whether that pays is found out from frame to frame, of the same props.
+  settings.SkipHiddenFragments = settings.SkipHiddenFragments && task.Order.Batches.size() == 1;
   task.Statistics.NumberOfFragments = 0;
   task.Statistics.MaximumDepthComplexity = 0;
+  const double before = std::exchange(task.Statistics.ErrorBound, 0.0);
   this->Sorters.Draw(frame, settings, task.Geometry, task.Saved, task.Statistics);
+  task.Statistics.AddError(before);
   this->SortedFragments = std::max<std::int64_t>(0, task.Statistics.NumberOfFragments);
   if (task.Statistics.Reason.empty())
   {

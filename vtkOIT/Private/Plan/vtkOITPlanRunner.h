@@ -22,7 +22,7 @@ struct vtkOITPlan;
  *    when blending several layers in 8 bits would round each; or the framebuffer with the layer
  *    beside it, where few layers are blended and shaders can read both. The layer gives the same
  *    picture to the last bit in float framebuffers, so it is taken there, too.
- * 3. Blend, then sort, into it.
+ * 3. Blend, then sort, into it, batch by batch.
  * 4. The layer over the framebuffer, once.
  *
  * The memory of all together stays within the limit of the settings.
@@ -67,7 +67,9 @@ private:
   bool Reuse(const vtkOITFrame& frame, vtkOITStatistics& statistics);
   Into ChooseTarget(const Task& task, bool& keepsLayer, vtkOITTarget& target);
   bool MakeRoom(std::int64_t needed, std::int64_t forSorting, std::int64_t limit);
-  vtkOITFailure Blend(const Task& task, const vtkOITTarget& target, Into into, bool& isBlended);
+  bool DrawBatches(const Task& task, const vtkOITTarget& target, Into into);
+  vtkOITFailure Blend(const Task& task, const vtkOITBlendSteps& blend, const vtkOITTarget& target,
+    Into into, bool& isBlended);
   void Sort(const Task& task, const vtkOITFrame& frame);
   bool CompositeLayer(const Task& task, bool keepsLayer);
 

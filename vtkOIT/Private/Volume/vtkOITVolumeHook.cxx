@@ -9,11 +9,16 @@
 #include "Private/Volume/vtkOITVolumeText.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLGPUVolumeRayCastMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkVolumeInputHelper.h"
 #include "vtkVolumeMapper.h"
+#include "vtkVolumeTexture.h"
+
+#include <algorithm>
 
 vtkStandardNewMacro(vtkOITVolumeHook);
 
@@ -21,6 +26,24 @@ namespace
 {
 /// Draws nothing, and compiles everywhere.
 constexpr const char* Discard = "//VTK::System::Dec\nvoid main() { discard; }\n";
+
+/// Whether a mapper draws one part of its data after the other: SetPartitions().
+bool HasPartitions(vtkAbstractMapper* mapper)
+{
+  auto* gpuMapper = vtkOpenGLGPUVolumeRayCastMapper::SafeDownCast(mapper);
+  return gpuMapper &&
+    std::any_of(gpuMapper->AssembledInputs.begin(), gpuMapper->AssembledInputs.end(),
+      [](const auto& input)
+      {
+        vtkVolumeTexture* texture = input.second.Texture;
+        if (!texture)
+        {
+          return false;
+        }
+        const auto& partitions = texture->GetPartitions();
+        return partitions[0] > 1 || partitions[1] > 1 || partitions[2] > 1;
+      });
+}
 }
 
 //------------------------------------------------------------------------------
@@ -31,6 +54,11 @@ vtkOITFailure vtkOITVolumeHook::RenderBy(vtkRenderPass* delegate, const vtkRende
   {
     const vtkOITPropKeys keys(state, this);
     delegate->Render(state);
+  }
+  if (this->IsDiscarding)
+  {
+    glDisable(GL_RASTERIZER_DISCARD);
+    this->IsDiscarding = false;
   }
   this->Renderer = nullptr;
   if (this->Failure)
@@ -75,8 +103,15 @@ bool vtkOITVolumeHook::PostReplaceShaderValues(std::string& vertexShader,
 
 //------------------------------------------------------------------------------
 bool vtkOITVolumeHook::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp*, vtkOpenGLVertexArrayObject*)
 {
+  // Known only now, when the data is loaded: SetPartitions() does not mark the mapper as modified.
+  if (!this->Failure && HasPartitions(mapper))
+  {
+    this->Failure = vtkOITFailure("a volume is divided into partitions");
+    glEnable(GL_RASTERIZER_DISCARD);
+    this->IsDiscarding = true;
+  }
   // What volumes behind this one have cut off the lists.
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   if (!this->Failure && this->Gather && this->Gather->Setter)

@@ -42,6 +42,7 @@ private:
 
   vtkRenderer* Renderer = nullptr; // that is drawn by
   vtkOITFailure Failure;           // while drawing
+  bool IsDiscarding = false;       // nothing of a volume that has failed is drawn
 };
 
 #endif

@@ -64,14 +64,6 @@ std::vector<vtkVolume*> GetVolumes(vtkProp* prop)
   return GetVolumes(prop, vtkNew<vtkPropCollection>());
 }
 
-/// The mapper for GPUs that draws the volume, or nullptr.
-vtkGPUVolumeRayCastMapper* FindGPUMapper(vtkVolume* volume)
-{
-  auto* smart = vtkSmartVolumeMapper::SafeDownCast(volume->GetMapper());
-  return smart ? SmartMapper::GetGPUMapper(smart)
-               : vtkGPUVolumeRayCastMapper::SafeDownCast(volume->GetMapper());
-}
-
 bool IsDrawnByGPU(vtkVolume* volume)
 {
   auto* smart = vtkSmartVolumeMapper::SafeDownCast(volume->GetMapper());
@@ -94,7 +86,7 @@ bool HasVolumesOnScreen(vtkProp* prop, vtkPropCollection* collection)
   return std::any_of(volumes.begin(), volumes.end(),
     [](vtkVolume* volume)
     {
-      vtkGPUVolumeRayCastMapper* mapper = FindGPUMapper(volume);
+      vtkGPUVolumeRayCastMapper* mapper = vtkOITFindGPUMapper(volume);
       return !mapper || !mapper->GetRenderToImage();
     });
 }
@@ -108,7 +100,7 @@ public:
   {
     for (vtkVolume* volume : GetVolumes(prop))
     {
-      if (vtkGPUVolumeRayCastMapper* mapper = FindGPUMapper(volume))
+      if (vtkGPUVolumeRayCastMapper* mapper = vtkOITFindGPUMapper(volume))
       {
         this->Before.emplace_back(mapper, mapper->GetImageSampleDistance());
         GPUMapper::ImageDistance(mapper) = 1.0f;
@@ -128,6 +120,14 @@ public:
 private:
   std::vector<std::pair<vtkGPUVolumeRayCastMapper*, float>> Before;
 };
+}
+
+//------------------------------------------------------------------------------
+vtkGPUVolumeRayCastMapper* vtkOITFindGPUMapper(vtkVolume* volume)
+{
+  auto* smart = vtkSmartVolumeMapper::SafeDownCast(volume->GetMapper());
+  return smart ? SmartMapper::GetGPUMapper(smart)
+               : vtkGPUVolumeRayCastMapper::SafeDownCast(volume->GetMapper());
 }
 
 //------------------------------------------------------------------------------
@@ -155,7 +155,7 @@ void vtkOITVolumes::SetOrder(
 bool vtkOITVolumes::IsAlone() const
 {
   return this->Between.size() == 1 && vtkVolume::SafeDownCast(this->Between.front()) &&
-    FindGPUMapper(vtkVolume::SafeDownCast(this->Between.front()));
+    vtkOITFindGPUMapper(vtkVolume::SafeDownCast(this->Between.front()));
 }
 
 //------------------------------------------------------------------------------

@@ -9,10 +9,12 @@
 #include <string>
 #include <vector>
 
+class vtkGPUVolumeRayCastMapper;
 class vtkOITVolumeGather;
 class vtkProp;
 class vtkRenderPass;
 class vtkRenderState;
+class vtkVolume;
 
 /// Draws the volumes of a frame: before the translucent props, between them, and after them. What an
 /// engine knows of volumes.
@@ -64,6 +66,9 @@ private:
   std::set<vtkProp*> Rendered;
   int RenderedOthers = 0;
 };
+
+/// The mapper for GPUs that draws the volume, or nullptr.
+vtkGPUVolumeRayCastMapper* vtkOITFindGPUMapper(vtkVolume* volume);
 
 /// Whether the mappers of a prop's volumes ask our hooks: those for GPUs do.
 bool vtkOITIsHookedVolume(vtkProp* prop);

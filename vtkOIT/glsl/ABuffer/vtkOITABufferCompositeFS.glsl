@@ -14,10 +14,29 @@
 // the first 64, which are blended as Resolve would: what it has behind a group of opacity 1, or has
 // not, does not change the picture then. Nothing is seen behind such a group, so it ends the walk,
 // as does a transmittance of at most the threshold.
+//
+// With OIT_DEFERRED fragments are lit here, in this order: what is not seen is not lit.
 
 //VTK::OIT::Node
 //VTK::OIT::Read
 //VTK::OIT::Output
+
+#ifdef OIT_DEFERRED
+//VTK::OIT::Light
+vec4 oitGetColorOf(OITFragment fragment, uint node)
+{
+  OITMaterial m = oitUnpackMaterial(fragment.Color, oitLoad(OIT_WORD(node) + 1u));
+  vec3 color = oitLight(m, uintBitsToFloat(fragment.Key));
+#ifdef OIT_CLAMP_COLOR
+  const float largest = 1.0;
+#else
+  const float largest = 65504.0; // of what is stored shaded
+#endif
+  return vec4(min(max(color, 0.0), largest), oitUnpack(uvec2(fragment.Color.x)).r);
+}
+#else
+#define oitGetColorOf(fragment, node) oitUnpack(fragment.Color)
+#endif
 
 #if OIT_SAMPLES > 0
 #define OIT_IS_COVERED(fragment) (((fragment.Mask >> uint(gl_SampleID)) & 1u) != 0u)
@@ -66,6 +85,8 @@ void main()
 #endif
 #elif defined(OIT_VOLUMES)
   bool isMine = node != OIT_END && (node & OIT_LEFT) == 0u; // marked: a volume's ray was here
+#elif defined(OIT_DEFERRED)
+  bool isMine = node != OIT_END;
 #else
   bool isMine = (node & OIT_LEFT) != 0u;
   node &= ~OIT_LEFT;
@@ -92,6 +113,7 @@ void main()
   while (node != OIT_END && transmittance > oitThreshold)
   {
     OITFragment fragment = oitRead(node);
+    uint current = node;
     node = fragment.Next;
     if (OIT_IS_COVERED(fragment))
     {
@@ -107,7 +129,7 @@ void main()
         light = vec3(0.0);
 #endif
       }
-      vec4 c = oitUnpack(fragment.Color);
+      vec4 c = oitGetColorOf(fragment, current);
 #ifdef OIT_HAS_LIGHT
       light += oitGetAdded(c);
       if (c.a > 1.0)

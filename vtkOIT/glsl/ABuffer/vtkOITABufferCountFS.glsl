@@ -22,7 +22,7 @@ void main()
   if (count > 0u)
   {
     atomicMax(oitTiles[oitFindTile()].Complexity, count);
-#ifdef OIT_VOLUMES
+#ifdef OIT_COUNTS_FRAGMENTS
     atomicAdd(oitTiles[oitFindTile()].Fragments, count); // Resolve does not, then
 #endif
   }

@@ -36,6 +36,10 @@ uniform sampler2D oitOpaqueDepth;
 uniform int oitDrawNumber; // in this geometry pass
 #endif
 
+#ifdef OIT_DEFERRED
+//VTK::OIT::Material
+#endif
+
 #ifdef OIT_INTERLOCK
 layout(pixel_interlock_ordered) in;
 #endif
@@ -73,7 +77,11 @@ void oitCapture()
 #endif
 
   uint key = floatBitsToUint(depth);
-#ifdef OIT_HAS_LIGHT
+#ifdef OIT_DEFERRED
+  OITColor color;
+  uvec4 material = oitPackMaterial(opacity, color);
+  bool isFull = (color.x & color.y & material.x & material.y & material.z & material.w) == 0xffffffffu;
+#elif defined(OIT_HAS_LIGHT)
   OITColor color = oitPack(oitGetLightOr(vec4(oitFragColor.rgb, opacity)));
 #else
   OITColor color = oitPack(vec4(oitFragColor.rgb, opacity));
@@ -88,7 +96,9 @@ void oitCapture()
   {
     node = atomicAdd(oitNodeCount, OIT_PAGE_SIZE) + OIT_PAGE_SIZE;
   }
-#ifndef OIT_FLOAT_COLOR
+#ifdef OIT_DEFERRED
+  oitHead = isFull ? OIT_END : node;
+#elif !defined(OIT_FLOAT_COLOR)
   oitHead = (color.x & color.y) == 0xffffffffu ? OIT_END : node;
 #else
   oitHead = node;
@@ -121,6 +131,9 @@ void oitCapture()
 #endif
 #else
   oitStore(word, uvec4(key, color, next));
+#endif
+#ifdef OIT_DEFERRED
+  oitStore(word + 1u, material);
 #endif
 #ifdef OIT_HAS_DRAW_ORDER
   oitStore(word + uint(OIT_NODE_TEXELS - 1), uvec4(oitDrawNumber, gl_PrimitiveID, 0u, 0u));

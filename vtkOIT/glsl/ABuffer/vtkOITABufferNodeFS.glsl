@@ -9,6 +9,7 @@
 //
 //   narrow  [0] = depth key, colour rg, colour ba, next node
 //   wide    [0] = depth key, sample mask, unused, next node   [1] = colour
+//   deferred[0] = depth key, material, next node              [1] = material, which is lit later
 //
 // With OIT_HAS_DRAW_ORDER one more uvec4 follows: number of the draw, and of the primitive in it.
 //

@@ -5,10 +5,11 @@
 // every stage.
 
 // Texture units. Mappers count theirs up from 0, and GL has at least 16.
-#define OIT_UNIT_BUCKET_BOUNDS 12 // bounds of adaptive buckets
-#define OIT_UNIT_STATE 13         // what pixels keep: state of peels, sums, tiles of the A-buffer
-#define OIT_UNIT_GATHERED 14      // what Gather has written; expected depth complexity of tiles
-#define OIT_UNIT_DEPTH 15         // opaque depth, or a layer
+#define OIT_UNIT_BUCKET_TABLE 12 // slots of adaptive buckets
+#define OIT_UNIT_STATE 13        // what pixels keep: state of peels, sums, tiles of the A-buffer
+#define OIT_UNIT_GATHERED 14     // what Gather has written; expected depth complexity of tiles
+#define OIT_UNIT_DEPTH 15        // opaque depth, or a layer
+#define OIT_UNIT_LIGHTS 12       // lights of deferred shading
 
 // Image units and storage buffers of the A-buffer, image unit of multi-layer peeling.
 #define OIT_IMAGE_HEADS 0
@@ -65,7 +66,17 @@
 // Multi-layer depth peeling: a depth behind all others.
 #define OIT_EMPTY 0x3fffffffu
 
-// Bucket depth peeling: buffers of four channels; bins of the histogram.
-#define OIT_BUCKET_BUFFERS 8
-#define OIT_BUCKET_DEPTHS 4 // that has the depths where coincident fragments are blended
-#define OIT_BINS 1024
+// Bucket depth peeling: layers of the state; no depth in a slot; the buffer that has the depths where
+// coincident fragments are blended.
+#define OIT_STATE_SLOTS 4
+#define OIT_STATE_DIVISION 5
+#define OIT_NO_SLOT 4.0
+#define OIT_BUCKET_DEPTHS 4
+
+// Single shots of it: stages; counts of two buckets in one float, below 4096 each; the layer of the
+// table that is about the pixel.
+#define OIT_SHOT_RANGE 0
+#define OIT_SHOT_BUCKETS 1
+#define OIT_SHOT_COLORS 2
+#define OIT_COUNT_BASE 4096
+#define OIT_TABLE_PIXEL 3

@@ -22,18 +22,21 @@ uvec4 oitPack(vec4 color)
 }
 vec4 oitUnpack(uvec4 bits) { return uintBitsToFloat(bits); }
 #else
-uvec2 oitPack(vec4 color)
+uvec2 oitPackUpTo(vec4 color, vec4 largest)
 {
   const float smallest = 6.103515625e-5;
-#ifdef OIT_CLAMP_COLOR
-  const vec4 largest = vec4(vec3(1.0), 65504.0);
-#else
-  const vec4 largest = vec4(65504.0);
-#endif
   vec4 c = min(max(color, vec4(0.0)), largest);
   uvec4 normal = (floatBitsToUint(max(c, vec4(smallest))) - 0x37fff000u) >> 13u;
   uvec4 bits = normal - 0x400u + uvec4(min(c, vec4(smallest)) * 16777216.0 + 0.5);
   return bits.xz | (bits.yw << 16u);
+}
+uvec2 oitPack(vec4 color)
+{
+#ifdef OIT_CLAMP_COLOR
+  return oitPackUpTo(color, vec4(vec3(1.0), 65504.0));
+#else
+  return oitPackUpTo(color, vec4(65504.0));
+#endif
 }
 vec4 oitUnpack(uvec2 bits)
 {

@@ -2,47 +2,123 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Slots: the depths that the buckets have captured, without the empty ones: buckets are in order, so
-// the slots are sorted.
+// Resolve, of an adaptive single shot: the slots in order, front to back. Where as many are filled as there
+// are fragments, each has its own, and all is there.
 
-uniform sampler2DArray oitDepths;
+//VTK::OIT::State
+//VTK::OIT::Words
 
-//VTK::OIT::Write
+uniform sampler2DArray oitShot;   // depths of the buckets
+uniform sampler2DArray oitTable;  // slots of the buckets
+uniform sampler2DArray oitColors; // of the slots
+uniform int oitStage;
 
-const float OIT_NO_SLOT = 4.0;
+// 16 layers of 15 bits are off by less than those of half floats are, where these do: if compressed, up
+// to this colour.
+#ifdef OIT_FLOAT_COLOR
+#define OIT_FINE_ERROR 0.008
+#else
+#define OIT_FINE_ERROR 0.0
+#endif
+const float OIT_BRIGHT = 4.0;
 
-float oitSlotDepths[32];
-int oitCount = 0;
+int oitWords = 1;
 
-void oitAppend(float depth)
+vec4 oitLoadSlot(int slot)
 {
-  oitSlotDepths[oitCount] = depth;
-  ++oitCount;
+  int channel = oitWords * slot;
+  vec4 words = texelFetch(oitColors, ivec3(gl_FragCoord.xy, min(channel / 4, 7)), 0);
+  words = (channel & 2) != 0 ? words.zwzw : words;
+  words = (channel & 1) != 0 ? words.yyyy : words;
+  bool isEmpty = oitWords == 4 ? words.w <= 0.0 : words.x <= 0.0;
+  if (isEmpty || channel >= 32)
+  {
+    return vec4(0.0);
+  }
+  if (oitWords == 4)
+  {
+    return words;
+  }
+  vec4 fine = vec4(oitUnpackFine(oitFromWord(words.x)), oitUnpackFine(oitFromWord(words.y)));
+  fine.rgb = oitExpand(fine.rgb);
+  return oitWords == 2 ? fine : oitUnpackCoarse(oitFromWord(words.x), 126u);
+}
+
+float oitGetChannel(int channel)
+{
+  return texelFetch(oitShot, ivec3(gl_FragCoord.xy, channel / 3), 0)[channel - 3 * (channel / 3)];
+}
+
+// Fragments that a slot stands for, of which it has kept one.
+void oitBlend(vec4 color, float count)
+{
+  float opacity = count > 1.0 ? 1.0 - exp(-count * oitToOpticalDepth(color.a)) : color.a;
+  oitBlendUnder(opacity * color.rgb, opacity);
 }
 
 void main()
 {
-  for (int i = 0; i < 32; ++i)
+  oitLoadCommonState();
+  if (oitStage == OIT_SHOT_RANGE)
   {
-    oitSlotDepths[i] = OIT_NO_SLOT;
+    vec4 depths = texelFetch(oitShot, ivec3(gl_FragCoord.xy, 0), 0);
+    oitSetBounds(-depths.x, depths.y);
+    return;
   }
-  for (int layer = 0; layer < 8; ++layer)
+  vec4 pixel = texelFetch(oitTable, ivec3(gl_FragCoord.xy, OIT_TABLE_PIXEL), 0);
+  oitWords = int(pixel.x);
+  float filled = 0.0;
+  float brightest = 0.0;
+  float depth = 0.0; // optical
+  if (oitWords == 1)
   {
-    vec4 depths = texelFetch(oitDepths, ivec3(gl_FragCoord.xy, layer), 0);
-#ifdef OIT_PAIRS
-    vec2 nearest = -depths.xz;
-    vec2 farthest = depths.yw;
-    if (farthest.x >= 0.0) oitAppend(nearest.x);
-    if (farthest.x > nearest.x) oitAppend(farthest.x);
-    if (farthest.y >= 0.0) oitAppend(nearest.y);
-    if (farthest.y > nearest.y) oitAppend(farthest.y);
-#else
-    vec4 nearest = -depths;
-    if (nearest.x <= 1.0) oitAppend(nearest.x);
-    if (nearest.y <= 1.0) oitAppend(nearest.y);
-    if (nearest.z <= 1.0) oitAppend(nearest.z);
-    if (nearest.w <= 1.0) oitAppend(nearest.w);
-#endif
+    for (int slot = 0; slot < 32; ++slot)
+    {
+      depth += oitToOpticalDepth(oitLoadSlot(slot).a);
+    }
   }
-  oitWrite(oitSlotDepths);
+  for (int i = 0; i < OIT_BUCKETS && pixel.z > 0.0; ++i)
+  {
+    float counts = texelFetch(oitShot, ivec3(gl_FragCoord.xy, i / 2), 0).a;
+    float odd = floor(counts / float(OIT_COUNT_BASE));
+    float count = (i & 1) != 0 ? odd : counts - odd * float(OIT_COUNT_BASE);
+    if (count > 0.0)
+    {
+      int entry = int(texelFetch(oitTable, ivec3(gl_FragCoord.xy, i / 4), 0)[i - 4 * (i / 4)]);
+      int first = entry / 64;
+      int between = entry - 64 * first;
+      bool isPair = oitGetChannel(2 * i + 1) > -oitGetChannel(2 * i);
+      int last = first + (isPair ? between + 1 : 0);
+      float here = 0.0;
+      for (int slot = first; slot <= last; ++slot)
+      {
+        here += oitLoadSlot(slot).a > 0.0 ? 1.0 : 0.0;
+      }
+      float inside = here - (isPair ? 2.0 : 1.0); // slots filled between
+      float share = (count - (isPair ? 2.0 : 1.0)) / max(inside, 1.0); // of the fragments there
+      share = inside > 0.0 ? max(share, 1.0) : 1.0;
+      for (int slot = first; slot <= last; ++slot)
+      {
+        vec4 color = oitLoadSlot(slot);
+        if (oitWords == 1 && here == count)
+        {
+          // The sum of all optical depths is known better than each.
+          color.a = 1.0 - exp(-oitToOpticalDepth(color.a) * pixel.w / max(depth, 1e-30));
+        }
+        brightest = max(brightest, max(color.r, max(color.g, color.b)));
+        bool isInside = slot > first && slot < last;
+        oitBlend(color, isInside ? share : isPair ? 1.0 : count);
+      }
+      filled += here;
+    }
+  }
+  float lost = max(pixel.z - filled, 0.0);
+  oitState1.x += pixel.z;
+  oitState1.w += lost;
+  if (pixel.z > 0.0)
+  {
+    bool isCoarse = oitWords == 1 || (oitWords == 2 && brightest > OIT_BRIGHT);
+    oitNoteError(lost > 0.0 || isCoarse ? 1.0 : oitWords == 2 ? OIT_FINE_ERROR : 0.0);
+  }
+  oitSetBounds(2.0, -2.0);
 }

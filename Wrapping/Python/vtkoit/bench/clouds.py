@@ -16,6 +16,9 @@ LAYERS = (0, 2, 4, 8, 16, 64)
 # (name of the family, samples of a ray, whether the volume is shaded)
 VARIANTS = (("volumes-60", 60, False), ("volumes-60-shaded", 60, True),
             ("volumes-240", 240, False), ("volumes-240-shaded", 240, True))
+# (name of the family, places of the middle of the layers along the line of sight)
+OUTSIDE = (("volumes-front", 0.9), ("volumes-behind", -0.9))
+OUTSIDE_LAYERS = (2, 8)
 
 
 def scenes():
@@ -26,7 +29,8 @@ def scenes():
 
 def family_scenes():
     """Those of the families "volumes-...", list of Scene, each in ascending order of the number of layers."""
-    return [_layers(family, samples, shade, count) for family, samples, shade in VARIANTS for count in LAYERS]
+    inside = [_layers(family, samples, shade, count) for family, samples, shade in VARIANTS for count in LAYERS]
+    return inside + [_layers(family, 60, False, count, place) for family, place in OUTSIDE for count in OUTSIDE_LAYERS]
 
 
 def image_of(values, low, high):
@@ -56,7 +60,7 @@ def _look(renderer):
     renderer.ResetCameraClippingRange()
 
 
-def _layers(family, samples, shade, count):
+def _layers(family, samples, shade, count, middle=0.0):
     half = 0.4
 
     def make():
@@ -65,11 +69,12 @@ def _layers(family, samples, shade, count):
         values = numpy.sin(7 * x + 2 * z) * numpy.cos(6 * y - z) + 0.5 * numpy.sin(9 * z + 3 * x)
         # About a tenth of the light gets through: no ray ends early.
         volume = Volume(family, image_of(values, low, high), [(-1.5, 0.0), (1.5, 0.95)], 1.0, shade, False)
-        layers = stack(count, 0.7, 0.7, 0.05, 2.0 * half / (count + 1)) if count else []
+        layers = stack(count, 0.7, 0.7, 0.05, 2.0 * half / (count + 1), middle) if count else []
         return [Cloud(volume, "viridis", None, 2.0 * half / samples), *layers]
 
-    title = "%d layer%s inside a volume, %d samples a ray%s" % (
-        count, "s"[:count != 1], samples, ", shaded" if shade else "")
+    where = "inside" if not middle else "in front of" if middle > 0 else "behind"
+    title = "%d layer%s %s a volume, %d samples a ray%s" % (
+        count, "s"[:count != 1], where, samples, ", shaded" if shade else "")
     return Scene("%s-%s" % (family, short(count)), title, make, lambda r: facing(r, 0.8), None, family, float(count))
 
 

@@ -14,7 +14,7 @@ from .scene import Cloud, Part, Scene
 ENVIRONMENT = "VTKOIT_DATA"
 
 
-class _Silent:
+class Silent:
     """In the place of a progress.Progress."""
 
     def watch(self, algorithm, text):
@@ -86,8 +86,8 @@ def file_scene(path):
 def _scene(name, title, paths, opacities, raw=None, spacing=None, isovalues=None, contour=None,
            labels=None, smoothing=20):
     def make():
-        inputs = read_all(paths, _Silent(), parse_raw(raw) if raw else None, spacing)
-        surfaces, _ = make_surfaces(inputs, Request(isovalues, contour, labels, smoothing), _Silent())
+        inputs = read_all(paths, Silent(), parse_raw(raw) if raw else None, spacing)
+        surfaces, _ = make_surfaces(inputs, Request(isovalues, contour, labels, smoothing), Silent())
         parts = []
         for i, surface in enumerate(surfaces):
             opacity = opacity_of(i, len(surfaces)) if opacities is None \
@@ -103,8 +103,8 @@ def _look(renderer):
 
 
 def _head_volume(slices):
-    inputs = read_all(slices, _Silent(), parse_raw("64x64:uint16"), (3.2, 3.2, 1.5))
-    surfaces, _ = make_surfaces(inputs, Request([500.0, 1150.0], None, None, 20), _Silent())
+    inputs = read_all(slices, Silent(), parse_raw("64x64:uint16"), (3.2, 3.2, 1.5))
+    surfaces, _ = make_surfaces(inputs, Request([500.0, 1150.0], None, None, 20), Silent())
     wanted = volumes.Request(None, [(500.0, 0.0), (900.0, 0.03), (1150.0, 0.03), (1400.0, 0.15)], 3.0, False)
     made, _ = volumes.make_volumes(inputs, wanted)
     return [Cloud(made[0], "inferno", (200.0, 1800.0), None)] + [
@@ -120,8 +120,8 @@ def _bunnies(path):
     from vtkmodules.vtkCommonTransforms import vtkTransform
     from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 
-    inputs = read_all([path], _Silent())
-    surfaces, _ = make_surfaces(inputs, Request(None, None, None, 20), _Silent())
+    inputs = read_all([path], Silent())
+    surfaces, _ = make_surfaces(inputs, Request(None, None, None, 20), Silent())
     data = surfaces[0].data
     length = data.GetLength()
     result = []

@@ -38,12 +38,12 @@ def short(value):
     return ("%g" % value).replace("e+0", "e")
 
 
-def stack(count, half_width=1.0, half_height=1.0, opacity=0.05, spacing=0.02):
-    """Squares behind each other, in neither order: list of Part of kind "unlit"."""
+def stack(count, half_width=1.0, half_height=1.0, opacity=0.05, spacing=0.02, middle=0.0):
+    """Squares behind each other around a height on the z axis, in neither order: list of Part of kind "unlit"."""
     step = next(s for s in (37, 31, 29, 23, 1) if count % s or s == 1)
     result = []
     for i in ((n * step) % count for n in range(count)):
-        z = spacing * (i - 0.5 * (count - 1))
+        z = middle + spacing * (i - 0.5 * (count - 1))
         x, y = half_width, half_height
         corners = [[(-x, -y, z), (x, -y, z), (x, y, z), (-x, y, z)]]
         result.append(Part(quads(corners), rainbow(i / count), opacity, "unlit"))

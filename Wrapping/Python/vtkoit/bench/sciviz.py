@@ -20,6 +20,8 @@ def scenes():
               lambda: isosurfaces(10, 50), _look_at_isosurfaces),
         Scene("deep", "64 planes behind each other over the whole window",
               lambda: stack(64), lambda r: facing(r, 0.95)),
+        Scene("crossings", "64 planes over the whole window, of which every seventh pair crosses",
+              _crossings, lambda r: facing(r, 0.95)),
         Scene("small-props", "800 small spheres, each a prop", _small_props, look_at_spheres),
         Scene("one-sphere", "one sphere", lambda: [Part(sphere(), (0.2, 0.5, 0.8), 0.4)],
               look_at_spheres),
@@ -63,6 +65,20 @@ def _look_at_isosurfaces(renderer):
     camera.Elevation(20.0)
     camera.Zoom(1.4)
     renderer.ResetCameraClippingRange()
+
+
+def _crossings():
+    """The planes of a pair lean to either side, but not as far as to the next ones."""
+    result = stack(64)
+    for i, part in enumerate(sorted(result, key=lambda part: part.data.GetBounds()[4])):
+        if i % 7 < 2:
+            points = part.data.GetPoints()
+            for n in range(points.GetNumberOfPoints()):
+                x, y, z = points.GetPoint(n)
+                points.SetPoint(n, x, y, z + 0.016 * x * (1 if i % 7 else -1))
+            points.Modified()
+            part.data.Modified()
+    return result
 
 
 def _small_props():

@@ -41,7 +41,7 @@ def skips(is_quick=False):
 
     rows = [
         Skip("SkipInvisibleProps", _faded(), "auto", "auto:SkipInvisibleProps=0", INVISIBLE, 0.5),
-        sorting("deep"), sorting("disjoint"), sorting("one-sphere"),
+        sorting("deep"), sorting("disjoint"), sorting("one-sphere"), sorting("crossings"),
         reuse("spheres"), reuse("small-props"),
         threshold("dual"), threshold("multilayer"),
         Skip("TransmittanceThreshold", "molecule", "auto", "auto:TransmittanceThreshold=0", None, 0.5),

@@ -8,12 +8,13 @@ import os
 from ..errors import Error
 from ..values import parse_size
 from ..windows import headless
-from . import costs, document, growth, machine, plots, rounds, skips
+from . import costs, document, growth, machine, plots, rounds, seedpage, seeds, skips
 
-NAMES = ("skips", "costs", "growth")
+NAMES = ("skips", "costs", "growth", "seeds")
+PAGES = {"seeds": seedpage.PAGE}
 FRAMES, QUICK_FRAMES = 9, 2
 BUDGET, QUICK_BUDGET = 3.0, 0.5
-SIZE = {"skips": "800x800", "costs": "400x400", "growth": "400x400"}
+SIZE = {"skips": "800x800", "costs": "400x400", "growth": "400x400", "seeds": "400x400"}
 QUICK_SIZE = "100x100"
 
 
@@ -51,11 +52,11 @@ def run(name, options, settings, progress):
         json.dump({"machine": here, "results": results}, file, indent=1)
         file.write("\n")
     for folder in filter(None, (options.output, options.document)):
-        with open(os.path.join(folder, name + ".md"), "w", encoding="utf-8") as file:
+        with open(os.path.join(folder, PAGES.get(name, name + ".md")), "w", encoding="utf-8") as file:
             file.write(text)
         if draws:
             growth.draw(folder, results)
-    print("%s: %s.md, %s.json" % (options.output, name, name))
+    print("%s: %s, %s.json" % (options.output, PAGES.get(name, name + ".md"), name))
 
 
 def _make_folder(folder):
@@ -76,6 +77,9 @@ def _measure(name, options, size, settings, here, progress):
         sizes = costs.QUICK if options.quick else costs.FULL
         results = costs.Study(size, settings, sizes, progress).run()
         return results, costs.page(results, *about)
+    if name == "seeds":
+        results = seeds.measure(size, settings, options.quick, progress)
+        return results, seedpage.page(results, *about)
     results = growth.measure(size, settings, options.quick, progress)
     return results, growth.page(results, *about)
 

@@ -1,0 +1,329 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scenes/LitScenes.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkLightKit.h"
+#include "vtkLookupTable.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
+#include "vtkSphereSource.h"
+#include "vtkTexture.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+
+namespace vtkOITTest
+{
+namespace
+{
+vtkSmartPointer<vtkPolyData> MakeSphere()
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetRadius(0.5);
+  source->SetThetaResolution(20);
+  source->SetPhiResolution(14);
+  source->Update();
+  vtkSmartPointer<vtkPolyData> mesh = source->GetOutput();
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents(2);
+  vtkNew<vtkFloatArray> heights;
+  heights->SetName("heights");
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("colors");
+  colors->SetNumberOfComponents(4);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const double* p = mesh->GetPoint(i);
+    coordinates->InsertNextTuple2(p[0] + 0.5, p[1] + 0.5);
+    heights->InsertNextValue(static_cast<float>(p[2]));
+    colors->InsertNextTuple4(
+      40 + 400 * std::abs(p[0]), 40 + 400 * std::abs(p[1]), 90, 60 + 300 * std::abs(p[2]));
+  }
+  mesh->GetPointData()->SetTCoords(coordinates);
+  mesh->GetPointData()->AddArray(heights);
+  mesh->GetPointData()->AddArray(colors);
+  vtkNew<vtkFloatArray> numbers;
+  numbers->SetName("numbers");
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    numbers->InsertNextValue(static_cast<float>(i % 7));
+  }
+  mesh->GetCellData()->AddArray(numbers);
+  return mesh;
+}
+
+void ShowArray(vtkActor* actor, const char* name, bool isOfCells)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  mapper->SetScalarVisibility(true);
+  mapper->SetScalarMode(
+    isOfCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+  mapper->SelectColorArray(name);
+  mapper->SetScalarRange(isOfCells ? 0.0 : -0.5, isOfCells ? 6.0 : 0.5);
+}
+
+void AddTexture(vtkActor* actor, int components)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(4, 4, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, components);
+  auto* texel = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int i = 0; i < 16 * components; ++i)
+  {
+    texel[i] = static_cast<unsigned char>(55 + (i * 67) % 200);
+  }
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  texture->SetColorModeToDirectScalars();
+  texture->InterpolateOn();
+  actor->SetTexture(texture);
+}
+
+void MakeShiny(vtkActor* actor)
+{
+  vtkProperty* property = actor->GetProperty();
+  property->SetAmbient(0.15);
+  property->SetAmbientColor(0.9, 0.2, 0.4);
+  property->SetDiffuse(0.8);
+  property->SetSpecular(0.7);
+  property->SetSpecularColor(0.9, 1.0, 0.6);
+  property->SetSpecularPower(25.0);
+}
+
+vtkSmartPointer<vtkLight> AddLight(vtkRenderer* renderer, double x, double y, double z)
+{
+  auto light = vtkSmartPointer<vtkLight>::New();
+  light->SetPosition(x, y, z);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetIntensity(0.6);
+  renderer->AddLight(light);
+  return light;
+}
+
+void AddMixedLights(vtkRenderer* renderer, int number)
+{
+  for (int i = 0; i < number; ++i)
+  {
+    const double angle = 2.4 * i;
+    const auto light =
+      AddLight(renderer, 1.5 * std::cos(angle), 1.5 * std::sin(angle), 0.8 + 0.2 * (i % 5));
+    light->SetPositional(i % 3 != 0);
+    light->SetIntensity(2.0 / number);
+    light->SetConeAngle(i % 3 == 2 ? 35.0 : 180.0);
+    light->SetExponent(1.0 + i % 4);
+    light->SetColor(0.4 + 0.2 * (i % 4), 1.0 - 0.15 * (i % 5), 0.5 + 0.25 * (i % 3));
+    light->SetAttenuationValues(1.0, 0.1 * (i % 3), 0.05 * (i % 4));
+    if (i % 7 == 3)
+    {
+      light->SetLightTypeToCameraLight();
+    }
+    light->SetSwitch(i % 6 != 5);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+const std::vector<LitMaterial>& GetLitMaterials()
+{
+  static const std::vector<LitMaterial> materials = {
+    { "shiny", [](vtkActor* a, vtkPolyData*) { MakeShiny(a); } },
+    { "dull", [](vtkActor*, vtkPolyData*) {} },
+    { "flat",
+      [](vtkActor* a, vtkPolyData*)
+      {
+        MakeShiny(a);
+        a->GetProperty()->SetInterpolationToFlat();
+      } },
+    { "without normals",
+      [](vtkActor* a, vtkPolyData* mesh)
+      {
+        MakeShiny(a);
+        mesh->GetPointData()->SetNormals(nullptr);
+      } },
+    { "unlit", [](vtkActor* a, vtkPolyData*) { a->GetProperty()->LightingOff(); } },
+    { "with a back",
+      [](vtkActor* a, vtkPolyData*)
+      {
+        vtkNew<vtkProperty> back;
+        back->SetColor(0.1, 0.9, 0.3);
+        back->SetSpecular(0.5);
+        back->SetSpecularPower(8.0);
+        back->SetOpacity(0.7);
+        a->SetBackfaceProperty(back);
+      } },
+    { "with colours",
+      [](vtkActor* a, vtkPolyData*)
+      {
+        MakeShiny(a);
+        ShowArray(a, "colors", false);
+        a->GetMapper()->SetColorModeToDirectScalars();
+      } },
+    { "with mapped scalars", [](vtkActor* a, vtkPolyData*) { ShowArray(a, "heights", false); } },
+    { "with scalars mapped later",
+      [](vtkActor* a, vtkPolyData*)
+      {
+        MakeShiny(a);
+        ShowArray(a, "heights", false);
+        a->GetMapper()->SetInterpolateScalarsBeforeMapping(true);
+      } },
+    { "with scalars of cells", [](vtkActor* a, vtkPolyData*) { ShowArray(a, "numbers", true); } },
+    { "textured",
+      [](vtkActor* a, vtkPolyData*)
+      {
+        MakeShiny(a);
+        AddTexture(a, 3);
+      } },
+    { "textured with alpha", [](vtkActor* a, vtkPolyData*) { AddTexture(a, 4); } },
+    { "with edges",
+      [](vtkActor* a, vtkPolyData*)
+      {
+        a->GetProperty()->EdgeVisibilityOn();
+        a->GetProperty()->SetEdgeColor(0.9, 0.9, 0.1);
+      } },
+    { "wireframe",
+      [](vtkActor* a, vtkPolyData*)
+      {
+        MakeShiny(a);
+        a->GetProperty()->SetRepresentationToWireframe();
+      } },
+    { "of wide lines",
+      [](vtkActor* a, vtkPolyData*)
+      {
+        MakeShiny(a);
+        a->GetProperty()->SetRepresentationToWireframe();
+        a->GetProperty()->SetLineWidth(5.0f);
+      } },
+    { "of points",
+      [](vtkActor* a, vtkPolyData*)
+      {
+        MakeShiny(a);
+        a->GetProperty()->SetRepresentationToPoints();
+        a->GetProperty()->SetPointSize(6.0f);
+      } },
+    { "of spheres",
+      [](vtkActor* a, vtkPolyData*)
+      {
+        MakeShiny(a);
+        a->GetProperty()->SetRepresentationToPoints();
+        a->GetProperty()->SetPointSize(8.0f);
+        a->GetProperty()->SetRenderPointsAsSpheres(true);
+      } },
+    { "physically based",
+      [](vtkActor* a, vtkPolyData*)
+      {
+        a->GetProperty()->SetInterpolationToPBR();
+        a->GetProperty()->SetMetallic(0.4);
+        a->GetProperty()->SetRoughness(0.3);
+      } },
+    { "with a shader replacement",
+      [](vtkActor* a, vtkPolyData*)
+      {
+        MakeShiny(a);
+        a->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true,
+          "//VTK::Light::Impl\n  gl_FragData[0].rgb = gl_FragData[0].bgr;\n", false);
+      } },
+  };
+  return materials;
+}
+
+//------------------------------------------------------------------------------
+const std::vector<LightArrangement>& GetLightArrangements()
+{
+  static const std::vector<LightArrangement> arrangements = {
+    { "the headlight of VTK", [](vtkRenderer*) {}, true },
+    { "a red headlight",
+      [](vtkRenderer* r)
+      {
+        const auto light = AddLight(r, 0.0, 0.0, 1.0);
+        light->SetLightTypeToHeadlight();
+        light->SetColor(1.0, 0.3, 0.2);
+      },
+      false },
+    { "a light kit",
+      [](vtkRenderer* r)
+      {
+        vtkNew<vtkLightKit> kit;
+        kit->AddLightsToRenderer(r);
+      },
+      false },
+    { "a distant light", [](vtkRenderer* r) { AddLight(r, 2.0, 1.0, 0.5); }, false },
+    { "a headlight and one that is off",
+      [](vtkRenderer* r)
+      {
+        AddLight(r, 0.0, 0.0, 1.0)->SetLightTypeToHeadlight();
+        AddLight(r, 1.0, 2.0, 0.0)->SwitchOff();
+      },
+      false },
+    { "a near light", [](vtkRenderer* r) { AddLight(r, 0.5, 0.7, 0.8)->SetPositional(true); },
+      false },
+    { "a fading light",
+      [](vtkRenderer* r)
+      {
+        const auto light = AddLight(r, -0.6, 0.4, 0.9);
+        light->SetPositional(true);
+        light->SetAttenuationValues(0.4, 0.3, 0.5);
+      },
+      false },
+    { "a spot light",
+      [](vtkRenderer* r)
+      {
+        const auto light = AddLight(r, 0.3, 0.2, 1.4);
+        light->SetPositional(true);
+        light->SetConeAngle(20.0);
+        light->SetExponent(6.0);
+        light->SetIntensity(1.0);
+      },
+      false },
+    { "a light at the camera",
+      [](vtkRenderer* r)
+      {
+        const auto light = AddLight(r, 0.5, 0.5, 1.0);
+        light->SetLightTypeToCameraLight();
+        light->SetPositional(true);
+      },
+      false },
+    { "nine lights", [](vtkRenderer* r) { AddMixedLights(r, 9); }, true },
+    { "forty lights", [](vtkRenderer* r) { AddMixedLights(r, 40); }, false },
+  };
+  return arrangements;
+}
+
+//------------------------------------------------------------------------------
+void AddLitScene(vtkRenderer* renderer, const LitMaterial& material)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    const vtkSmartPointer<vtkPolyData> mesh = MakeSphere();
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(mesh);
+    mapper->ScalarVisibilityOff();
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->SetPosition(0.3 * i - 0.3, 0.1 * i, 0.15 * i - 0.1);
+    actor->SetScale(1.0, i == 2 ? 0.4 : 1.0, 1.0);
+    actor->RotateX(25.0 * i);
+    actor->GetProperty()->SetColor(0.9 - 0.3 * i, 0.5, 0.2 + 0.3 * i);
+    actor->GetProperty()->SetOpacity(0.35 + 0.2 * i);
+    material.Apply(actor, mesh);
+    actor->ForceTranslucentOn();
+    renderer->AddActor(actor);
+  }
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->ParallelProjectionOff();
+  camera->SetPosition(0.4, 0.5, 2.6);
+  camera->SetFocalPoint(0.0, 0.05, 0.0);
+  camera->SetViewAngle(30.0);
+  camera->SetClippingRange(0.5, 6.0);
+}
+}

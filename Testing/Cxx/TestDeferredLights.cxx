@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Layers that are lit after they were sorted look as those that VTK's mappers have lit: within a step of
+// 8 bits of the A-buffer, for all kinds of lights and materials, also those that cannot be lit later.
+// Adding, moving and removing lights makes no program.
+
+#include "Rig/GLObjects.h"
+#include "Rig/Rig.h"
+#include "Scenes/LitScenes.h"
+
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <string>
+
+using namespace vtkOITTest;
+
+namespace
+{
+constexpr int Width = 72;
+constexpr int Height = 56;
+constexpr Tolerance OneStep{ 1.0 / 255.0, 1.0 / 255.0 };
+
+/// The picture of a scene by a method.
+Image Draw(const Setup& setup, const std::string& method, const LitMaterial& material,
+  const LightArrangement& lights, std::string& algorithm)
+{
+  Setup other = setup;
+  other.Method = method;
+  Rig rig(other, Width, Height);
+  rig.SetBackground({ 0.2, 0.4, 0.6, 1.0 });
+  AddLitScene(rig.Renderer, material);
+  lights.Add(rig.Renderer);
+  Image image = rig.Render();
+  algorithm = rig.Pass->GetAlgorithmName();
+  return image;
+}
+
+void CompareWithForward(
+  Report& report, const Setup& setup, const LitMaterial& material, const LightArrangement& lights)
+{
+  std::string algorithm;
+  const Image forward = Draw(setup, "abuffer", material, lights, algorithm);
+  const Image deferred = Draw(setup, setup.Method, material, lights, algorithm);
+  const std::string what = std::string(material.Name) + " under " + lights.Name;
+  report.Compare(what, deferred, forward, OneStep);
+  // What keeps float colours is lit by the mappers.
+  const bool isHalf = setup.FragmentStorage == Storage::Half;
+  report.Check(algorithm == (isHalf ? "deferred A-buffer" : "A-buffer"),
+    what + " was drawn by the " + algorithm);
+}
+
+/// Whether the lights of an arrangement are seen at all.
+void CheckThatLightsMatter(Report& report, const Setup& setup)
+{
+  std::string algorithm;
+  const LitMaterial& material = GetLitMaterials().front();
+  const Image first =
+    Draw(setup, setup.Method, material, GetLightArrangements().front(), algorithm);
+  for (const LightArrangement& lights : GetLightArrangements())
+  {
+    if (&lights != &GetLightArrangements().front())
+    {
+      const Image image = Draw(setup, setup.Method, material, lights, algorithm);
+      double largest = 0.0;
+      for (int y = 0; y < Height; ++y)
+      {
+        for (int x = 0; x < Width; ++x)
+        {
+          const glm::dvec4 d = glm::abs(image.At(x, y) - first.At(x, y));
+          largest = std::max({ largest, d.r, d.g, d.b });
+        }
+      }
+      report.Check(largest > 4.0 / 255.0, std::string(lights.Name) + " look as the headlight does");
+    }
+  }
+}
+
+/// Programs of the context, while lights come, move and go.
+void CheckThatLightsCompileNothing(Report& report, const Setup& setup)
+{
+  Rig rig(setup, Width, Height);
+  AddLitScene(rig.Renderer, GetLitMaterials().front());
+  vtkNew<vtkLight> key;
+  key->SetPosition(1.0, 2.0, 3.0);
+  rig.Renderer->AddLight(key);
+  const auto countPrograms = [&]
+  {
+    rig.Window->Render();
+    rig.Window->MakeCurrent();
+    return GLObjectCounts::OfCurrentContext().Programs;
+  };
+  countPrograms();
+  const int before = countPrograms();
+  vtkNew<vtkLight> spot;
+  spot->SetPositional(true);
+  spot->SetConeAngle(30.0);
+  spot->SetPosition(0.0, 1.0, 3.0);
+  rig.Renderer->AddLight(spot);
+  report.Check(countPrograms() == before, "a light that was added made a program");
+  spot->SetPosition(1.0, 0.0, 3.0);
+  spot->SetColor(1.0, 0.5, 0.2);
+  spot->SetAttenuationValues(1.0, 0.5, 0.1);
+  report.Check(countPrograms() == before, "a light that was changed made a program");
+  for (int i = 0; i < 20; ++i)
+  {
+    vtkNew<vtkLight> more;
+    more->SetPosition(i, 1.0, 3.0);
+    more->SetPositional(i % 2 == 0);
+    rig.Renderer->AddLight(more);
+  }
+  report.Check(countPrograms() == before, "twenty lights that were added made a program");
+  rig.Renderer->RemoveLight(spot);
+  report.Check(countPrograms() == before, "a light that was removed made a program");
+}
+}
+
+int TestDeferredLights(int argc, char* argv[])
+{
+  return RunTest(argc, argv, Setups::Storages,
+    [](Report& report, const Setup& setup)
+    {
+      for (const LightArrangement& lights : GetLightArrangements())
+      {
+        CompareWithForward(report, setup, GetLitMaterials().front(), lights);
+      }
+      for (const LitMaterial& material : GetLitMaterials())
+      {
+        for (const LightArrangement& lights : GetLightArrangements())
+        {
+          if (lights.IsForEachMaterial)
+          {
+            CompareWithForward(report, setup, material, lights);
+          }
+        }
+      }
+      CheckThatLightsMatter(report, setup);
+      if (setup.FragmentStorage == Storage::Half) // otherwise the mappers light
+      {
+        CheckThatLightsCompileNothing(report, setup);
+      }
+    });
+}

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkOITTileStages_h
+#define vtkOITTileStages_h
+
+#include "Private/ABuffer/vtkOITABufferShaders.h"
+#include "Private/GL/vtkOITScreenStage.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+/**
+ * The programs that draw tiles of an A-buffer: a sorting network for each class of lengths, and Walk for
+ * all lengths. Networks take long to compile, and a picture may be the only one: Walk takes tiles until
+ * a network would have paid for its compiler, and at most one is compiled a frame.
+ */
+class vtkOITTileStages
+{
+public:
+  /// In the environment VTKOIT_NETWORKS=1 has networks compiled as soon as there are tiles for them: for
+  /// tests, and to measure steady frames.
+  vtkOITTileStages();
+
+  /// A draw of the tiles of one class.
+  struct Draw
+  {
+    vtkOITScreenStage* Stage;
+    std::array<int, 2> TileClass;
+    std::function<std::string()> GetFragmentShader;
+  };
+
+  bool CompileAtOnce() const { return this->CompilesAtOnce; }
+
+  /// The draws of tiles with these lengths of lists. `shaders` must outlive them.
+  std::vector<Draw> FindDraws(
+    const std::vector<std::uint32_t>& expected, const vtkOITABufferShaders& shaders);
+
+  /// Of tiles with longer lists than expected; their class is not set.
+  Draw FindSecondChance(const vtkOITABufferShaders& shaders);
+
+  /// Whether so many tiles more whose lists are sorted in memory are too few for Sort's own network.
+  bool SortsQuickly(std::int64_t tiles);
+
+  void Release();
+
+private:
+  /// The classes of tiles are those of NetworkSizes, and one for longer lists.
+  static constexpr std::size_t Classes = vtkOITABufferShaders::NetworkSizes.size() + 1;
+  static constexpr std::size_t LongLists = Classes - 1;
+  static std::size_t FindClass(std::uint32_t length);
+  vtkOITScreenStage& GetStage(std::size_t tileClass);
+  bool Earns(std::size_t tileClass, std::int64_t tiles, bool& isFree);
+
+  std::array<vtkOITScreenStage, vtkOITABufferShaders::NetworkSizes.size()> ResolveStages;
+  vtkOITScreenStage SecondChanceStage;
+  vtkOITScreenStage WalkStage;
+  std::array<std::int64_t, Classes> Walked{}; // tiles of each class that Walk has drawn
+  std::int64_t SortedTiles = 0;
+  const bool CompilesAtOnce;
+};
+
+#endif

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The material of the fragment that a mapper's own shader, renamed oitShade(), has left: in oitAmbient
+// and its like where vtkOITDeferredText has cut its lighting out (OIT_CAPTURES), and oitFragColor is
+// then what textures multiply all of them with; otherwise oitFragColor is the shaded colour.
+
+uvec4 oitPackMaterial(float opacity, out uvec2 first)
+{
+  const vec4 largest = vec4(65504.0);
+#ifdef OIT_CAPTURES
+  uint normal = oitPackNormal(oitNormal);
+  bool isLit = normal != OIT_UNLIT;
+  vec3 factor = oitFragColor.rgb;
+  vec3 diffuse = isLit ? oitDiffuse * factor : vec3(0.0);
+  vec3 specular = isLit ? oitSpecular * factor : vec3(0.0);
+  vec3 ambient = oitAmbient * factor;
+  float power = oitPower;
+#else
+  uint normal = OIT_UNLIT;
+  vec3 diffuse = vec3(0.0);
+  vec3 specular = vec3(0.0);
+  vec3 ambient = oitFragColor.rgb;
+  float power = 0.0;
+#endif
+  uvec2 d = oitPackUpTo(vec4(diffuse, ambient.b), largest);
+  uvec2 a = oitPackUpTo(vec4(ambient.rg, opacity, power), largest);
+  first = uvec2(a.y, normal);
+  return uvec4(d, a.x, oitPackShared(specular));
+}

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Lights a material as VTK's mappers do: ambient, diffuse (Lambert) and specular (Phong) light of
+// headlights, directional and positional lights, with attenuation and cone. Normals face the viewer
+// already. What VTK computes for each light anew is computed once: with V towards the viewer,
+// reflect(L, N) V is L V - 2 (N L) (N V).
+//
+// Lights are in a buffer texture, those of a kind together: four texels each, position or direction
+// and attenuation x, colour and attenuation y, axis and cosine of the cone, attenuation z and
+// exponent.
+
+uniform samplerBuffer oitLightTexels;
+uniform ivec2 oitLightEnds;  // of the directional and of the positional ones; spot lights follow
+uniform int oitLightCount;
+uniform int oitIsHeadlight;  // the only light is one at the camera
+uniform vec4 oitViewportMap; // origin in pixels, and clip coordinates a pixel
+uniform mat4 oitFromClip;    // clip coordinates to view coordinates
+
+OITMaterial oitUnpackMaterial(uvec2 first, uvec4 second)
+{
+  vec4 d = oitUnpack(second.xy);
+  vec4 a = oitUnpack(uvec2(second.z, first.x));
+  OITMaterial m;
+  m.Ambient = vec3(a.rg, d.a);
+  m.Diffuse = d.rgb;
+  m.Specular = oitUnpackShared(second.w);
+  m.Power = a.a;
+  m.Normal = oitUnpackNormal(first.y);
+  m.IsLit = first.y != OIT_UNLIT;
+  return m;
+}
+
+vec3 oitFindPosition(float depth)
+{
+  vec2 clip = (gl_FragCoord.xy - oitViewportMap.xy) * oitViewportMap.zw - 1.0;
+  vec4 p = oitFromClip * vec4(clip, 2.0 * depth - 1.0, 1.0);
+  return p.xyz / p.w;
+}
+
+struct OITLit
+{
+  vec3 Diffuse;
+  vec3 Specular;
+};
+
+// Light of one colour: `along` is the direction in which it goes.
+void oitAddLight(inout OITLit lit, OITMaterial m, vec3 view, float towards, vec3 along, vec3 color)
+{
+  float facing = -dot(m.Normal, along);
+  lit.Diffuse += max(facing, 0.0) * color;
+#ifdef OIT_HAS_SPECULAR
+  // VTK takes the normal itself for the mirrored direction of a headlight.
+  float mirrored = oitIsHeadlight != 0 ? facing : dot(along, view) + 2.0 * facing * towards;
+  float strength = facing > 0.0 ? pow(max(mirrored, 0.0), m.Power) : 0.0;
+  lit.Specular += strength * color;
+#endif
+}
+
+vec3 oitLight(OITMaterial m, float depth)
+{
+  OITLit lit = OITLit(vec3(0.0), vec3(0.0));
+  vec3 position = oitFindPosition(depth);
+  vec3 view = oitIsHeadlight != 0 ? vec3(0.0, 0.0, 1.0) : normalize(-position);
+  float towards = dot(m.Normal, view);
+  // None for what has no normal: then loops end where no pixel needs them.
+  ivec3 ends = m.IsLit ? ivec3(oitLightEnds, oitLightCount) : ivec3(0);
+  int i = 0;
+  for (; i < ends.x; ++i)
+  {
+    vec3 along = texelFetch(oitLightTexels, 4 * i).xyz;
+    oitAddLight(lit, m, view, towards, along, texelFetch(oitLightTexels, 4 * i + 1).rgb);
+  }
+  for (; i < ends.z; ++i)
+  {
+    vec4 at = texelFetch(oitLightTexels, 4 * i);
+    vec4 color = texelFetch(oitLightTexels, 4 * i + 1);
+    vec4 rest = texelFetch(oitLightTexels, 4 * i + 3);
+    vec3 along = position - at.xyz;
+    float reach = length(along);
+    along /= reach;
+    float attenuation = 1.0 / (at.w + reach * (color.a + reach * rest.x));
+    if (i >= ends.y)
+    {
+      vec4 cone = texelFetch(oitLightTexels, 4 * i + 2);
+      float inside = dot(along, cone.xyz);
+      attenuation *= inside >= cone.w ? pow(inside, rest.y) : 0.0;
+    }
+    oitAddLight(lit, m, view, towards, along, attenuation * color.rgb);
+  }
+  return m.Ambient + lit.Diffuse * m.Diffuse + lit.Specular * m.Specular;
+}

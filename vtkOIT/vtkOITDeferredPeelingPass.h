@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkOITDeferredPeelingPass
+ * @brief   exact transparency whose layers are lit after they were sorted: for many lights
+ *
+ * Shaders of VTK's mappers compute all lights for each fragment, and are made anew for each number
+ * of lights. Here they keep what a fragment is made of, its material, and the fragments of a pixel
+ * are lit on the screen, front to back, as far as they are seen.
+ * docs/vtkOITDeferredPeelingPass.md has a picture, the stages and the limits.
+ *
+ * After deferred depth peeling (a renderer with a G-buffer for each peeled layer), with all layers
+ * at once in an A-buffer instead of one peel after another. One frame:
+ *
+ * 1. Gather: as vtkOITABufferPass does, in one geometry pass, but a fragment has its ambient,
+ *    diffuse and specular colour, specular power and normal instead of a shaded colour.
+ * 2. All lists are sorted by depth.
+ * 3. A pixel walks its list front to back, lights a fragment and composites it, `C += T α c`,
+ *    `T -= T α` in float32, until the transmittance is at most TransmittanceThreshold. The lights
+ *    are in a buffer: adding, moving or removing one compiles no shader.
+ *
+ * Light is VTK's: headlights, directional and positional lights with attenuation and cone, ambient,
+ * diffuse and specular, normals turned to the viewer; within one step of 255 of vtkOITABufferPass.
+ * What cannot be lit later is shaded in the geometry pass, as VTK does it, prop by prop: physically
+ * based rendering, props with shader replacements, or whose shaders other render passes change,
+ * points and lines of more than 2 pixels, spheres and tubes, and mappers that are not known. So is
+ * everything in frames with volumes between the layers, with emissive Gaussians, in multisampled
+ * framebuffers, with FragmentPrecision FLOAT, and in lists of more than 60000 fragments times
+ * lights a pixel.
+ *
+ * Geometry passes and needs as vtkOITABufferPass. Memory: 4 bytes per pixel, 32 bytes per fragment,
+ * 64 bytes per light. Exact: yes, with TransmittanceThreshold 0; otherwise within GetErrorBound().
+ * Colours are kept as half floats, specular ones to 2^-10 of their largest channel, normals to
+ * 2^-15.
+ *
+ * @sa vtkOITPass vtkOITABufferPass
+ */
+
+#ifndef vtkOITDeferredPeelingPass_h
+#define vtkOITDeferredPeelingPass_h
+
+#include "vtkOITModule.h" // for the export macro
+#include "vtkOITPass.h"
+
+class VTKOIT_EXPORT vtkOITDeferredPeelingPass : public vtkOITPass
+{
+public:
+  static vtkOITDeferredPeelingPass* New();
+  vtkTypeMacro(vtkOITDeferredPeelingPass, vtkOITPass);
+
+protected:
+  vtkOITDeferredPeelingPass();
+  ~vtkOITDeferredPeelingPass() override;
+
+  vtkOITSettings MakeSettings(const vtkOITCapabilities& capabilities) const override;
+
+private:
+  vtkOITDeferredPeelingPass(const vtkOITDeferredPeelingPass&) = delete;
+  void operator=(const vtkOITDeferredPeelingPass&) = delete;
+};
+
+#endif
