@@ -7,9 +7,11 @@
 #include "Rig/Report.h"
 #include "Scenes/ShapeMeshes.h"
 
-#include "Private/Auto/vtkOITMeshShape.h"
+#include "Private/Auto/vtkOITMeshShapes.h"
 #include "vtkVersionMacros.h"
 
+#include "vtkActor.h"
+#include "vtkCellArray.h"
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
 #include "vtkCylinderSource.h"
@@ -17,7 +19,9 @@
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
 #include "vtkPlatonicSolidSource.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkRegularPolygonSource.h"
 #include "vtkReverseSense.h"
 #include "vtkSphereSource.h"
@@ -296,6 +300,49 @@ void CheckFarAway(Checker& checker)
   checker.Check(
     "bowl far away", Transform(MakeCubeWithBowl(8, 0.2), far, far, far, false), Shape::Unknown);
 }
+
+/// Proofs that are tried of a mesh that changes before some frames.
+void CheckProofs(Report& report)
+{
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i < 5; ++i)
+  {
+    points->InsertNextPoint(i % 2, i / 2, 0.3 * (i % 3));
+  }
+  vtkNew<vtkCellArray> polys;
+  polys->InsertNextCell({ 0, 1, 2 });
+  polys->InsertNextCell({ 1, 3, 2 });
+  polys->InsertNextCell({ 2, 3, 4 });
+  vtkNew<vtkPolyData> mesh; // neither closed nor flat
+  mesh->SetPoints(points);
+  mesh->SetPolys(polys);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(mesh);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkOITMeshShapes shapes;
+  vtkOITMeshBalls balls;
+  const auto look = [&](bool changes, int expected)
+  {
+    if (changes)
+    {
+      mesh->GetPoints()->Modified();
+    }
+    const vtkOITMeshShape shape = shapes.Find(actor, balls);
+    shapes.Prune();
+    report.Check(shape == vtkOITMeshShape::Unknown && shapes.GetNumberOfProofs() == expected,
+      std::to_string(shapes.GetNumberOfProofs()) + " proofs, expected " + std::to_string(expected));
+  };
+  look(false, 1); // the first frame
+  look(false, 1);
+  for (int frame = 0; frame < 10; ++frame)
+  {
+    look(true, 1);
+  }
+  look(false, 2); // it stays
+  look(false, 2);
+  look(true, 2);
+}
 }
 
 int TestMeshShapes(int, char*[])
@@ -307,5 +354,6 @@ int TestMeshShapes(int, char*[])
   CheckNotClosed(checker);
   CheckFlat(checker);
   CheckFarAway(checker);
+  CheckProofs(report);
   return report.GetExitStatus();
 }

@@ -28,12 +28,12 @@ constexpr GLbitfield Barriers =
 constexpr int SortBudget = 60000;
 
 /// The draws of Sort for lists of `length` nodes, as first and last merge width of each.
-std::vector<std::pair<int, int>> PlanSort(int length)
+std::vector<std::pair<int, int>> PlanSort(int length, int runSize)
 {
   // A merge visits each node once, and once more to find the second run of each pair.
   const int mergesPerDraw = std::clamp(SortBudget / (2 * length) - 1, 1, 20);
   std::vector<std::pair<int, int>> draws;
-  int width = OIT_RUN_SIZE;
+  int width = runSize;
   do
   {
     draws.emplace_back(width, width << (mergesPerDraw - 1));
@@ -65,6 +65,8 @@ void vtkOITABufferResolver::Release()
   this->DepthComplexity.Clear();
   this->CountStage.Release();
   this->TileStages.Release();
+  this->SortedTiles = 0;
+  this->QuickSortStage.Release();
   this->SortStage.Release();
   for (vtkOITScreenStage& stage : this->ShortSortStages)
   {
@@ -190,6 +192,8 @@ vtkOITFailure vtkOITABufferResolver::SortLists(const vtkOITFrame& frame,
 {
   const std::uint32_t longest = *std::max_element(counters.Tiles.begin(), counters.Tiles.end());
   glMemoryBarrier(Barriers);
+  this->SortedTiles +=
+    tileClass == AllTiles ? store.GetTileGrid().GetNumberOfTiles() : counters.MarkedTiles;
   vtkOpenGLState* state = frame.GLState;
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE); // Sort has no output
   vtkOITFailure failure;
@@ -200,11 +204,13 @@ vtkOITFailure vtkOITABufferResolver::SortLists(const vtkOITFrame& frame,
   }
   if (static_cast<int>(longest) >= tileClass[0])
   {
-    for (const auto& widths : PlanSort(static_cast<int>(longest)))
+    const bool isQuick =
+      !this->TileStages.CompileAtOnce() && this->SortedTiles <= vtkOITTileStages::TilesToCompile;
+    const int runSize = isQuick ? OIT_SHORT_RUN : OIT_RUN_SIZE;
+    vtkOITScreenStage& stage = isQuick ? this->QuickSortStage : this->SortStage;
+    for (const auto& widths : PlanSort(static_cast<int>(longest), runSize))
     {
-      failure = failure
-        ? failure
-        : this->Sort(this->SortStage, OIT_RUN_SIZE, frame, store, tileClass, widths);
+      failure = failure ? failure : this->Sort(stage, runSize, frame, store, tileClass, widths);
       glMemoryBarrier(Barriers);
     }
   }
@@ -227,8 +233,8 @@ vtkOITFailure vtkOITABufferResolver::SortShortLists(const vtkOITFrame& frame,
       { return smallest <= static_cast<int>(n) && static_cast<int>(n) <= largest; });
     if (isNeeded)
     {
-      failure = this->Sort(this->ShortSortStages[i], largest, frame, store, { smallest, largest },
-        { OIT_RUN_SIZE, 0 });
+      failure = this->Sort(
+        this->ShortSortStages[i], largest, frame, store, { smallest, largest }, { largest, 0 });
     }
     smallest = largest + 1;
   }

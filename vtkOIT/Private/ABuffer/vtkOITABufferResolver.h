@@ -97,6 +97,8 @@ private:
   vtkOITDepthComplexityMap DepthComplexity;
   vtkOITScreenStage CountStage;
   vtkOITTileStages TileStages;
+  std::int64_t SortedTiles = 0; // with lists that networks left
+  vtkOITScreenStage QuickSortStage;
   vtkOITScreenStage SortStage;
   /// The same for tiles with short lists only, with less to do.
   static constexpr std::array<int, 2> ShortLists = { 4, 8 };

@@ -159,6 +159,7 @@ std::string vtkOITABufferShaders::GetSort(int runSize) const
 {
   return this->MakeStage(vtkOITABufferSortFS)
     .Define("OIT_SORTS_ALL", this->SortsAll())
+    .Define("OIT_RUN", runSize)
     .Insert("SortRun", vtkOITRegisterSort(runSize))
     .GetText();
 }

@@ -55,7 +55,8 @@ struct vtkOITABufferShaders
   std::string GetSecondChance() const;
   /// In place of Resolve and SecondChance until their programs are compiled.
   std::string GetWalk() const;
-  /// `runSize`: fragments of the runs that it starts from, OIT_RUN_SIZE or the length of short lists.
+  /// `runSize`: fragments of the runs that it starts from, OIT_RUN_SIZE, OIT_SHORT_RUN or the length
+  /// of short lists.
   std::string GetSort(int runSize) const;
   /// `hasSpecular`: some material may reflect lights.
   std::string GetComposite(bool hasSpecular) const;

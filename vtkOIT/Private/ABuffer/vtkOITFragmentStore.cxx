@@ -238,6 +238,7 @@ vtkOITFragmentStore::Counters vtkOITFragmentStore::ReadCounters() const
     const std::uint32_t marks = words[i] & (OIT_TRY_AGAIN | OIT_HAS_LISTS);
     counters.Tiles.push_back(marks ? words[i + 1] : words[i]);
     counters.Marks |= marks;
+    counters.MarkedTiles += (marks & OIT_HAS_LISTS) ? 1 : 0;
     counters.FragmentCount += words[i + 2];
   }
   return counters;

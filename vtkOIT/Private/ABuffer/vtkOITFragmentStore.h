@@ -65,6 +65,8 @@ public:
     float Skipped = 0.0f;
     /// All marks of tiles: OIT_TRY_AGAIN, OIT_HAS_LISTS.
     std::uint32_t Marks = 0;
+    /// Tiles with OIT_HAS_LISTS.
+    int MarkedTiles = 0;
   };
 
   /// Makes room for the rectangle's heads and for at least `fragments` fragments, as far as the

@@ -9,10 +9,6 @@
 
 namespace
 {
-// Tiles that Walk has drawn before the network for them is compiled: on llvmpipe that takes as long as the
-// network saves on 2500 tiles full of the longest lists, or 15000 of isosurfaces, whatever its size.
-constexpr std::int64_t TilesToCompile = 4000;
-
 bool IsOne(const char* value)
 {
   return value && std::strcmp(value, "1") == 0;

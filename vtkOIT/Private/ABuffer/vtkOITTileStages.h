@@ -32,6 +32,10 @@ public:
     std::function<std::string()> GetFragmentShader;
   };
 
+  /// Tiles that Walk has drawn before the network for them is compiled: on llvmpipe that takes as long as the
+  /// network saves on 2500 tiles full of the longest lists, or 15000 of isosurfaces, whatever its size.
+  static constexpr std::int64_t TilesToCompile = 4000;
+
   bool CompileAtOnce() const { return this->CompilesAtOnce; }
 
   /// The draws of tiles with these lengths of lists. `shaders` must outlive them.

@@ -135,10 +135,16 @@ vtkOITMeshShape vtkOITMeshShapes::Find(vtkProp* prop, vtkOITMeshBalls& balls)
   }
   Entry& entry = this->Entries[mesh];
   entry.Rest = 0;
-  if (entry.Time != mesh->GetMTime())
+  const vtkMTimeType time = mesh->GetMTime();
+  const bool isNew = entry.Time == 0;
+  const bool hasChanged = entry.Time != time;
+  entry.Time = time;
+  entry.IsTried = entry.IsTried && !hasChanged;
+  if (!entry.IsTried && (isNew || !hasChanged || entry.Shape != vtkOITMeshShape::Unknown))
   {
-    entry.Time = mesh->GetMTime();
     entry.Shape = vtkOITFindMeshShape(mesh, entry.Balls);
+    entry.IsTried = true;
+    ++this->NumberOfProofs;
   }
   balls = Transform(entry.Balls, actor->GetMatrix());
   if (determinant < 0.0 && entry.Shape == vtkOITMeshShape::ClosedConvex)

@@ -12,7 +12,9 @@
 class vtkActor;
 class vtkProp;
 
-/// The shapes of the meshes of props, each proven once.
+/// The shapes of the meshes of props, each proven once. Of a mesh of which nothing was proven, and that
+/// has changed since the last frame, nothing is tried to be proven until it stays as it is for a frame: what
+/// is animated is seldom convex, and a proof costs as much as drawing the mesh.
 class vtkOITMeshShapes
 {
 public:
@@ -28,18 +30,23 @@ public:
   /// Drops what no prop has asked for in the last LongestRest calls.
   void Prune();
 
+  /// Proofs that were tried so far.
+  int GetNumberOfProofs() const { return this->NumberOfProofs; }
+
   static constexpr vtkIdType LargestMesh = 100000;
   static constexpr int LongestRest = 100;
 
 private:
   struct Entry
   {
-    vtkMTimeType Time = 0;
+    vtkMTimeType Time = 0; // when it was as it was seen last
+    bool IsTried = false;  // since then
     vtkOITMeshShape Shape = vtkOITMeshShape::Unknown;
     vtkOITMeshBalls Balls;
     int Rest = 0; // calls of Prune() since it was asked for
   };
   std::map<vtkPolyData*, Entry> Entries;
+  int NumberOfProofs = 0;
 };
 
 /// The actor, when a prop is one whose surface is drawn by VTK's own mapper for polygons, without

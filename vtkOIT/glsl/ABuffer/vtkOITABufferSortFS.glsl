@@ -6,7 +6,7 @@
 // all pixels of multisampled framebuffers, which are composited once a sample, and of frames in which
 // rays of volumes walk the lists. Writes no colour.
 //
-// A merge sort that relinks the nodes and needs no memory beside them: blocks of 16 nodes come out
+// A merge sort that relinks the nodes and needs no memory beside them: blocks of OIT_RUN nodes come out
 // of a sorting network in registers, then neighbouring runs are merged. A block that lies behind or
 // before all of its run is put at the end of it, so what was drawn front to back or back to front
 // is one run from the start and not merged. One invocation merges runs of oitFirstWidth nodes up to
@@ -69,8 +69,8 @@ bool oitIsBefore(OITFragment a, OITFragment b)
     last = f##i;                                                                                   \
   }
 
-// Sorts blocks of 16 nodes and joins them to runs. Runs are made of whole blocks but for the last
-// one, so any 16 nodes from a multiple of 16 on are sorted. Returns the new head.
+// Sorts blocks of nodes and joins them to runs. Runs are made of whole blocks but for the last one, so
+// any nodes of a block's number from a multiple of that on are sorted. Returns the new head.
 uint oitMakeRuns(uint head, out uint runs)
 {
   uint node = head;
@@ -199,7 +199,7 @@ void main()
   }
   head &= ~mark;
   uint runs = 2u; // or more
-  if (oitFirstWidth == OIT_RUN_SIZE)
+  if (oitFirstWidth == OIT_RUN)
   {
     head = oitMakeRuns(head, runs);
   }
