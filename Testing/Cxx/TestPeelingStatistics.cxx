@@ -12,6 +12,13 @@
 #include "vtkOITMultiLayerPeelingPass.h"
 #include "vtkOITPeelingPass.h"
 
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkCommand.h"
+#include "vtkMapper.h"
+#include "vtkNew.h"
+#include "vtkRenderer.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -215,6 +222,37 @@ void CheckLayersPerPass(Report& report, Rig& rig, const Setup& setup)
   pass->SetNumberOfLayersPerPass(8);
 }
 
+/// Moves an actor away after each draw of its mapper.
+class MovingAway : public vtkCommand
+{
+public:
+  static MovingAway* New() { return new MovingAway; }
+  void Execute(vtkObject*, unsigned long, void*) override { this->Actor->AddPosition(0, 0, -0.01); }
+
+  vtkActor* Actor = nullptr;
+};
+
+/// Fragments that are not where they were in the pass before cannot be peeled: buckets count them.
+void CheckMovingFragments(Report& report, Rig& rig)
+{
+  auto* pass = vtkOITBucketPeelingPass::SafeDownCast(rig.Pass);
+  if (!pass)
+  {
+    return;
+  }
+  rig.RemoveProps();
+  rig.AddStack({ { 0.5f, { 0.9f, 0.2f, 0.1f, 0.25f } } });
+  vtkActor* actor = rig.Renderer->GetActors()->GetLastActor();
+  rig.Render();
+  report.Check(pass->GetExact() && pass->GetNumberOfLostFragments() == 0, "a prop at rest");
+  vtkNew<MovingAway> moving;
+  moving->Actor = actor;
+  actor->GetMapper()->AddObserver(vtkCommand::UpdateShaderEvent, moving);
+  rig.Render();
+  report.Check(!pass->GetExact() && pass->GetNumberOfLostFragments() == Width * Height,
+    "a prop that moves: " + std::to_string(pass->GetNumberOfLostFragments()) + " lost");
+}
+
 /// A single shot, whose picture may be off by so much; of the fragments of a pixel some are not kept.
 void CheckShot(Report& report, Rig& rig, const std::string& what, const std::vector<Layer>& layers,
   int lost, bool isExact, double allowed)
@@ -291,8 +329,8 @@ void CheckSingleShot(Report& report, Rig& rig, const Setup& setup)
         isKept ? Tolerance{ 3e-4, 3e-4 } : Tolerance{ 0.004, 0.004 });
       report.Check(pass->GetExact() == isExact && (pass->GetErrorBound() < 0.01) == isKept &&
           (!isAdaptive || pass->GetNumberOfLostFragments() == 0),
-        "single shot, " + std::to_string(layers) + " layers: " +
-          std::to_string(pass->GetNumberOfLostFragments()) + " lost");
+        "single shot, " + std::to_string(layers) +
+          " layers: " + std::to_string(pass->GetNumberOfLostFragments()) + " lost");
     }
   }
   pass->SetMaximumNumberOfPeels(0);
@@ -320,6 +358,7 @@ int TestPeelingStatistics(int argc, char* argv[])
       CheckChanges(report, setup, 1 << 20);
       CheckLayersPerPass(report, rig, setup);
       CheckSingleShot(report, rig, setup);
+      CheckMovingFragments(report, rig);
       report.SetStressTest(30);
       CheckLimits(report, rig, setup);
     });

@@ -73,8 +73,8 @@ void vtkOITBucketShotPeeler::Prepare(const vtkOITFrame& frame, const vtkOITSetti
   this->ClampsColor = frame.Target.ClampsColor;
   this->NumberOfKeys = HaveSameOpacity(frame.Props) ? MoreKeys : Keys;
   this->Interval = vtkOITEyeDepthInterval::Find(frame);
-  vtkOITShaderText text({ vtkOITFragmentFS, vtkOITBucketDepthFS, vtkOITBucketWordsFS,
-    vtkOITBucketShotGatherFS });
+  vtkOITShaderText text(
+    { vtkOITFragmentFS, vtkOITBucketDepthFS, vtkOITBucketWordsFS, vtkOITBucketShotGatherFS });
   this->Define(text);
   text.Insert("Colors", this->UsedDivision == Division::Adaptive ? vtkOITBucketColorsFS : "");
   if (this->Gather.SetStage(text) || isOther)

@@ -20,8 +20,9 @@ public:
 protected:
   vtkOITPeeler& ChoosePeeler(const vtkOITFrame& frame, const vtkOITSettings& settings) override
   {
-    return vtkOITPeelState::CanWorkInPlace(frame) ? this->LayerPeeler
-                                                  : vtkOITPeelingEngine::ChoosePeeler(frame, settings);
+    return vtkOITPeelState::CanWorkInPlace(frame)
+      ? this->LayerPeeler
+      : vtkOITPeelingEngine::ChoosePeeler(frame, settings);
   }
 
 private:

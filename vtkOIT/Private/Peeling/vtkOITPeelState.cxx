@@ -253,8 +253,7 @@ vtkOITFailure vtkOITPeelState::Resolve(vtkOITScreenStage& stage,
 vtkOITFailure vtkOITPeelState::Mask(std::size_t peel)
 {
   vtkOpenGLState* state = this->Frame->GLState;
-  const bool isFront =
-    !this->TheLayout.HasBack || !this->TheLayout.MasksBack || peel % 2 != 0;
+  const bool isFront = !this->TheLayout.HasBack || !this->TheLayout.MasksBack || peel % 2 != 0;
   this->Side = isFront ? MaskSide::Front : MaskSide::Back;
   if (vtkOITFailure failure =
         this->MaskFramebuffer.Bind(this->Frame->Window, {}, this->MaskDepth.GetLayer(0)))

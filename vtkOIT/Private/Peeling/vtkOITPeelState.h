@@ -41,8 +41,8 @@ public:
 
   struct Layout
   {
-    int Layers = 3;       // of the state, see vtkOITPeelStateFS.glsl
-    bool HasBack = false; // layer 3 is what was peeled from the back
+    int Layers = 3;        // of the state, see vtkOITPeelStateFS.glsl
+    bool HasBack = false;  // layer 3 is what was peeled from the back
     bool MasksBack = true; // then the sides of the Mask take turns
     // The first Gather reads the statistics alone, the first Resolve no layer but them: only they
     // are cleared.

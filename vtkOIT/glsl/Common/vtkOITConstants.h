@@ -5,10 +5,10 @@
 // every stage.
 
 // Texture units. Mappers count theirs up from 0, and GL has at least 16.
-#define OIT_UNIT_BUCKET_TABLE 12  // slots of adaptive buckets
-#define OIT_UNIT_STATE 13         // what pixels keep: state of peels, sums, tiles of the A-buffer
-#define OIT_UNIT_GATHERED 14      // what Gather has written; expected depth complexity of tiles
-#define OIT_UNIT_DEPTH 15         // opaque depth, or a layer
+#define OIT_UNIT_BUCKET_TABLE 12 // slots of adaptive buckets
+#define OIT_UNIT_STATE 13        // what pixels keep: state of peels, sums, tiles of the A-buffer
+#define OIT_UNIT_GATHERED 14     // what Gather has written; expected depth complexity of tiles
+#define OIT_UNIT_DEPTH 15        // opaque depth, or a layer
 
 // Image units and storage buffers of the A-buffer, image unit of multi-layer peeling.
 #define OIT_IMAGE_HEADS 0

@@ -52,7 +52,7 @@ def page(results, machine, command, settings, size):
     """The page, str. results: as from seeds.measure(). machine: str. settings: rounds.Settings."""
     return "\n".join([
         _HEAD.format(command=command, machine=machine, frames=settings.frames, size="%d x %d" % size),
-        _multilayer(results["multilayer"]), _buckets(results["buckets"]), _dual(results["dual"]),
+        _multilayer(results["multilayer"]), buckets(results["buckets"]), _dual(results["dual"]),
         _weighted(results["weighted"]), _peels(results["peels"][0]), _deferred()])
 
 
@@ -91,7 +91,8 @@ between draws, none between the fragments of one) it is what they measured: pass
 """ % (table(head, cells), _number(best, 1))
 
 
-def _buckets(rows):
+def buckets(rows):
+    """The part about bucket peeling, str. rows: list of dict."""
     head = ["mesh", "triangles, layers"] + ["`%s`, %%" % name for name in seeds.BUCKETS] + [
         "more than 8 steps", "passes", "`vtk-dual` / shot", "`peel` / shot", "`peel` / to the end",
         "adaptive / pairs"]
