@@ -4,7 +4,6 @@
 
 #include "Private/Frame/vtkOITFrame.h"
 #include "Private/Frame/vtkOITSettings.h"
-#include "glsl/Common/vtkOITConstants.h"
 
 #include "vtkOITBucketColorsFS.h"
 #include "vtkOITBucketDepthFS.h"

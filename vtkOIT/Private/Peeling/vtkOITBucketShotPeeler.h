@@ -5,6 +5,7 @@
 
 #include "Private/Frame/vtkOITEyeDepthInterval.h"
 #include "Private/Peeling/vtkOITPeeler.h"
+#include "glsl/Common/vtkOITConstants.h"
 
 /**
  * The single shot of bucket depth peeling (Liu, Huang, Liu and Wu 2009): one geometry pass keeps a
@@ -23,7 +24,7 @@ public:
   vtkOITFailure Begin(const vtkOITPeelContext& context) override;
   vtkOITFailure Peel(const vtkOITPeelContext& context, int number) override;
   /// What was not kept is lost, and counted.
-  vtkOITFailure PeelRest(const vtkOITPeelContext&) override { return {}; }
+  bool IsDone() const override { return this->Stage != OIT_SHOT_RANGE; }
 
   vtkOITGather& GetGather() override { return this->Gather; }
   void SetUniforms(
@@ -48,7 +49,7 @@ private:
   bool FloatColor = false;
   bool ClampsColor = false;
   bool InPlace = false; // of ResolveStage's program
-  int Stage = 0;        // of the geometry pass
+  int Stage = OIT_SHOT_RANGE; // of the geometry pass
   int NumberOfKeys = 0; // that tell places in a bucket apart
   vtkOITGather Gather;
   vtkOITEyeDepthInterval Interval;

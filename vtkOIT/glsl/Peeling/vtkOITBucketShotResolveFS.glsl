@@ -63,6 +63,12 @@ void main()
     oitSetBounds(-depths.x, depths.y);
     return;
   }
+#ifdef OIT_IN_PLACE
+  if (texelFetch(oitShot, ivec3(gl_FragCoord.xy, 0), 0).a == 0.0)
+  {
+    discard; // no fragments: the state stays as it is
+  }
+#endif
   oitLoadBuckets();
   float fragments = oitSums[0];
   float kept = 0.0;
