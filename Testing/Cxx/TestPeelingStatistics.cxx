@@ -308,6 +308,11 @@ void CheckSingleShot(Report& report, Rig& rig, const Setup& setup)
       { 0.9f, { 0.0f, 0.2f, 1.0f, 0.3f } } };
     CheckShot(report, rig, "two in a bucket", twins, isAdaptive || isPairs ? 0 : 1, isAdaptive,
       isAdaptive ? allowed : 0.006);
+    // Opacities of props have numbers.
+    CheckShot(report, rig, "two opacities",
+      { { 0.2f, { 0.2f, 0.9f, 0.5f, 0.3f } }, { 0.5f, { 1.0f, 0.6f, 0.2f, 0.6f } },
+        { 0.8f, { 0.0f, 0.2f, 1.0f, 0.3f } } },
+      0, isAdaptive, allowed);
     // Coincident ones share a slot.
     CheckShot(report, rig, "three of one depth",
       EqualLayers({ 0.1f, 0.5f, 0.5f, 0.5f, 0.9f }, color), 2, false, 0.0025);

@@ -7,6 +7,9 @@
 #include "Private/Peeling/vtkOITPeeler.h"
 #include "glsl/Common/vtkOITConstants.h"
 
+#include <map>
+#include <vector>
+
 /**
  * The single shot of bucket depth peeling (Liu, Huang, Liu and Wu 2009): one geometry pass keeps a
  * packed colour for each bucket; with adaptive buckets one finds depths, and one keeps colours.
@@ -39,6 +42,8 @@ private:
     Adaptive // as many as a pixel has fragments, up to 32
   };
 
+  void NumberOpacities(const std::vector<vtkProp*>& props);
+  void SetOpacityBits(vtkShaderProgram* program) const;
   void Define(vtkOITShaderText& text) const;
   vtkOITFailure GatherStage(const vtkOITPeelContext& context, int stage);
   vtkOITFailure DivideBuckets(const vtkOITPeelContext& context);
@@ -48,9 +53,10 @@ private:
   bool HasExactRange = false;
   bool FloatColor = false;
   bool ClampsColor = false;
-  bool InPlace = false; // of ResolveStage's program
-  int Stage = OIT_SHOT_RANGE; // of the geometry pass
-  int NumberOfKeys = 0; // that tell places in a bucket apart
+  bool InPlace = false;         // of ResolveStage's program
+  int Stage = OIT_SHOT_RANGE;   // of the geometry pass
+  std::vector<float> Opacities; // of the frame, if each prop has one; otherwise empty
+  std::map<vtkProp*, int> OpacityNumbers;
   vtkOITGather Gather;
   vtkOITEyeDepthInterval Interval;
 
