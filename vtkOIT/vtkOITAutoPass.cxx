@@ -99,8 +99,8 @@ vtkOITSettings vtkOITAutoPass::MakeSettings(const vtkOITCapabilities& capabiliti
   settings.SkipSorting = this->SkipSorting;
   settings.SkipHiddenFragments = this->SkipHiddenFragments;
   settings.ReuseFrames = this->ReuseFrames;
-  settings.DeferShading = this->DeferShading ? vtkOITSettings::Deferral::WhereItPays
-                                             : vtkOITSettings::Deferral::Never;
+  settings.DeferShading =
+    this->DeferShading ? vtkOITSettings::Deferral::WhereItPays : vtkOITSettings::Deferral::Never;
   return settings;
 }
 

@@ -46,9 +46,8 @@ bool HasOwnDepth(const vtkOITTarget& target)
 //------------------------------------------------------------------------------
 std::string vtkOITABufferEngine::GetAlgorithmName(const vtkOITSettings& settings) const
 {
-  const bool defers = this->HasDrawn
-    ? this->Defers
-    : settings.DeferShading == vtkOITSettings::Deferral::Always;
+  const bool defers =
+    this->HasDrawn ? this->Defers : settings.DeferShading == vtkOITSettings::Deferral::Always;
   return defers ? "deferred A-buffer" : "A-buffer";
 }
 

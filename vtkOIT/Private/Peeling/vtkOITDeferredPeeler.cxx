@@ -107,8 +107,8 @@ vtkOITFailure vtkOITDeferredPeeler::Peel(const vtkOITPeelContext& context, int)
       program->SetUniformi("oitSums", OIT_UNIT_GATHERED);
       program->SetUniformi("oitRest", this->IsRest ? 1 : 0);
       this->Lights.Bind(gl, OIT_UNIT_LIGHTS);
-      this->Lights.SetUniforms(program, context.Frame, OIT_UNIT_LIGHTS, context.State.GetX(),
-        context.State.GetY());
+      this->Lights.SetUniforms(
+        program, context.Frame, OIT_UNIT_LIGHTS, context.State.GetX(), context.State.GetY());
     });
   this->Lights.Unbind(gl, OIT_UNIT_LIGHTS);
   return failure;
