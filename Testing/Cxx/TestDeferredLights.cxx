@@ -9,16 +9,21 @@
 #include "Rig/Rig.h"
 #include "Scenes/LitScenes.h"
 
-#include "vtkCamera.h"
+#include "vtkActor.h"
+#include "vtkFloatArray.h"
 #include "vtkLight.h"
-#include "vtkLightCollection.h"
+#include "vtkMapper.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -125,6 +130,34 @@ void CheckThatLightsCompileNothing(Report& report, const Setup& setup)
   report.Check(countPrograms() == before, "a light that was removed made a program");
 }
 
+/// Coincident fragments of one normal are exact by either way, those of two are not when peeled.
+void CheckCoincidentNormals(Report& report, const Setup& setup)
+{
+  for (const bool differ : { false, true })
+  {
+    Rig rig(setup, Width, Height);
+    for (const double tilt : { 0.0, differ ? 0.6 : 0.0 })
+    {
+      vtkActor* actor = rig.AddQuad({ 0.5f, { 0.8f, 0.4f, 0.6f, 0.5f } });
+      actor->GetProperty()->LightingOn();
+      vtkNew<vtkFloatArray> normals;
+      normals->SetNumberOfComponents(3);
+      for (int i = 0; i < 4; ++i)
+      {
+        normals->InsertNextTuple3(tilt, 0.0, std::sqrt(1.0 - tilt * tilt));
+      }
+      vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0))
+        ->GetPointData()
+        ->SetNormals(normals);
+    }
+    rig.Render();
+    const bool isExact = setup.Method != "deferred" || !differ;
+    report.Check(rig.Pass->GetExact() == isExact,
+      std::string("coincident layers of ") + (differ ? "two normals" : "one normal") +
+        (isExact ? " are not exact" : " are called exact"));
+  }
+}
+
 /// The automatic choice takes it where there are many lights, and until there are few.
 void CheckChoice(Report& report, const Setup& setup)
 {
@@ -184,6 +217,7 @@ int TestDeferredLights(int argc, char* argv[])
       {
         CheckThatLightsCompileNothing(report, setup); // otherwise the mappers light
       }
+      CheckCoincidentNormals(report, setup);
       CheckChoice(report, setup);
     });
 }
