@@ -10,7 +10,19 @@ from unittest import mock
 import numpy
 import Support
 from TestBenchCommand import BenchTest
-from vtkoit.bench import catalogue, contenders, costs, growth, rounds, scans, seedpage, seeds, skips, stage
+from vtkoit.bench import (
+    catalogue,
+    contenders,
+    costs,
+    growth,
+    lights,
+    rounds,
+    scans,
+    seedpage,
+    seeds,
+    skips,
+    stage,
+)
 from vtkoit.errors import Error
 
 SETTINGS = rounds.Settings(frames=2, turn=0.5, budget=5.0)
@@ -137,6 +149,20 @@ class TestGrowth(BenchTest):
             self.assertRegex(page, r"(?m)^\| %s \| `blend` \| `auto` \|" % family)
             self.assertRegex(page, r"(?m)^\| %s \| [\d.]+ \| [\d.]+ \| [\d.]+ \|$" % first)
         self.assertRegex(page, r"(?m)^\| 100( \| [\d.]+ \([\d.]+\)){3} \|$")
+
+
+class TestLights(unittest.TestCase):
+    def test_tables(self):
+        self.assertAlmostEqual(lights.paper()[3][3], 410.0 / 78.0)
+        rows = lights.passes_by_lights(passes=(1, 2), lights=(2, 3), size=(60, 40), frames=1)
+        self.assertEqual([len(row) for row in rows], [2, 2])
+        self.assertEqual(rows[0][0], 1.0)
+        self.assertTrue(all(value > 0.0 for row in rows for value in row))
+        page = lights.markdown(rows, lights.paper("much"), (1, 2), (2, 3))
+        self.assertRegex(page, r"(?m)^\| 1 \| 1.00 \(1.00\) \| [\d.]+ \(1.41\) \|$")
+        methods = lights.methods_by_lights(("blend", "deferred-abuffer"), (1,), size=(60, 40), frames=1)
+        self.assertEqual(methods["blend", 1][1], 1.0)
+        self.assertGreater(methods["deferred-abuffer", 1][0], 0.0)
 
 
 class TestRefusals(BenchTest):
