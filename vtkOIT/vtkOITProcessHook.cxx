@@ -34,15 +34,25 @@ public:
   void Add(ClassType* object)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Objects.erase(
-      std::remove(this->Objects.begin(), this->Objects.end(), nullptr), this->Objects.end());
+    this->Objects.erase(std::remove_if(this->Objects.begin(), this->Objects.end(),
+                          [object](ClassType* each) { return !each || each == object; }),
+      this->Objects.end());
     this->Objects.emplace_back(object);
   }
 
-  std::vector<vtkWeakPointer<ClassType>> TakeAll()
+  /// Those that there are.
+  std::vector<vtkSmartPointer<ClassType>> GetAll()
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    return std::move(this->Objects);
+    std::vector<vtkSmartPointer<ClassType>> all;
+    for (ClassType* object : this->Objects)
+    {
+      if (object)
+      {
+        all.emplace_back(object);
+      }
+    }
+    return all;
   }
 
 private:
@@ -58,6 +68,7 @@ struct State
   std::string Method; // empty when nothing is installed
   bool Respect = false;
   bool Log = false;
+  vtkSmartPointer<vtkOITPass> Properties; // a pass that only carries them
   Reached<vtkRenderer> Renderers;
   Reached<vtkRenderWindow> Windows;
 };
@@ -67,9 +78,35 @@ State& GetState()
   return *state;
 }
 
+vtkOITPass* GetProperties()
+{
+  State& state = GetState();
+  if (!state.Properties)
+  {
+    state.Properties.TakeReference(vtkOITPassFactory::CreatePass("auto"));
+  }
+  return state.Properties;
+}
+
+void CopyProperties(vtkOITPass* pass)
+{
+  pass->SetTransmittanceThreshold(GetProperties()->GetTransmittanceThreshold());
+  pass->SetMaximumBufferSize(GetProperties()->GetMaximumBufferSize());
+}
+
+vtkSmartPointer<vtkOITPass> MakePass(const std::string& methodName)
+{
+  auto pass = vtkSmartPointer<vtkOITPass>::Take(vtkOITPassFactory::CreatePass(methodName));
+  if (pass)
+  {
+    CopyProperties(pass);
+  }
+  return pass;
+}
+
 bool IsMethod(const std::string& name)
 {
-  return vtkSmartPointer<vtkOITPass>::Take(vtkOITPassFactory::CreatePass(name)) != nullptr;
+  return MakePass(name) != nullptr;
 }
 
 std::string ListMethods()
@@ -160,7 +197,22 @@ bool vtkOITProcessHook::Install(const std::string& methodName)
       factories->AddItem(state.Factory);
     }
   }
+  const bool isNew = state.Method.empty();
+  const bool isChanged = state.Method != methodName;
   state.Method = methodName;
+  for (const auto& window : state.Windows.GetAll())
+  {
+    ReachWindow(window);
+  }
+  for (const auto& renderer : state.Renderers.GetAll())
+  {
+    if (isChanged &&
+      (vtkOITRendererHook::IsInstalledUnasked(renderer) ||
+        !vtkOITRendererHook::GetInstalledPass(renderer)))
+    {
+      Reach(renderer, isNew ? "again" : "by another method");
+    }
+  }
   return true;
 }
 
@@ -174,19 +226,13 @@ bool vtkOITProcessHook::Uninstall()
   }
   state.Method.clear();
   vtkObjectFactory::GetRegisteredFactories()->RemoveItem(state.Factory);
-  for (const auto& window : state.Windows.TakeAll())
+  for (const auto& window : state.Windows.GetAll())
   {
-    if (window)
-    {
-      window->RemoveObserver(state.WindowObserver);
-    }
+    window->RemoveObserver(state.WindowObserver);
   }
-  for (const auto& renderer : state.Renderers.TakeAll())
+  for (const auto& renderer : GetReached())
   {
-    if (renderer && vtkOITRendererHook::IsInstalledUnasked(renderer))
-    {
-      vtkOITRendererHook::Uninstall(renderer);
-    }
+    vtkOITRendererHook::Uninstall(renderer);
   }
   return true;
 }
@@ -255,7 +301,6 @@ void vtkOITProcessHook::ReachRenderersOf(vtkRenderWindow* window)
 //------------------------------------------------------------------------------
 void vtkOITProcessHook::ReachRenderer(vtkRenderer* renderer, const std::string& way)
 {
-  const State& state = GetState();
   if (!vtkOpenGLRenderer::SafeDownCast(renderer))
   {
     return;
@@ -265,10 +310,64 @@ void vtkOITProcessHook::ReachRenderer(vtkRenderer* renderer, const std::string& 
     vtkOITRendererHook::Observe(renderer);
     return;
   }
-  const auto pass = vtkSmartPointer<vtkOITPass>::Take(vtkOITPassFactory::CreatePass(state.Method));
-  vtkOITRendererHook::InstallUnasked(
-    renderer, pass, vtkOITHookRecord::Create(way, state.Method, state.Respect, state.Log));
+  Reach(renderer, way);
   GetState().Renderers.Add(renderer);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITProcessHook::Reach(vtkRenderer* renderer, const std::string& way)
+{
+  const State& state = GetState();
+  vtkOITRendererHook::InstallUnasked(renderer, MakePass(state.Method),
+    vtkOITHookRecord::Create(way, state.Method, state.Respect, state.Log));
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkRenderer>> vtkOITProcessHook::GetReached()
+{
+  std::vector<vtkSmartPointer<vtkRenderer>> reached;
+  for (const auto& renderer : GetState().Renderers.GetAll())
+  {
+    if (vtkOITRendererHook::IsInstalledUnasked(renderer))
+    {
+      reached.push_back(renderer);
+    }
+  }
+  return reached;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITProcessHook::SetTransmittanceThreshold(double threshold)
+{
+  GetProperties()->SetTransmittanceThreshold(threshold);
+  for (const auto& renderer : GetReached())
+  {
+    CopyProperties(vtkOITRendererHook::GetInstalledPass(renderer));
+  }
+  return GetTransmittanceThreshold() == threshold;
+}
+
+//------------------------------------------------------------------------------
+double vtkOITProcessHook::GetTransmittanceThreshold()
+{
+  return GetProperties()->GetTransmittanceThreshold();
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITProcessHook::SetMaximumBufferSize(vtkTypeInt64 bytes)
+{
+  GetProperties()->SetMaximumBufferSize(bytes);
+  for (const auto& renderer : GetReached())
+  {
+    CopyProperties(vtkOITRendererHook::GetInstalledPass(renderer));
+  }
+  return GetMaximumBufferSize() == bytes;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkOITProcessHook::GetMaximumBufferSize()
+{
+  return GetProperties()->GetMaximumBufferSize();
 }
 
 //------------------------------------------------------------------------------
