@@ -5,6 +5,7 @@
 #include "Private/Frame/vtkOITCompatibility.h"
 #include "Private/Hook/vtkOITEnvironment.h"
 #include "Private/Hook/vtkOITHookRecord.h"
+#include "Private/Hook/vtkOITReached.h"
 
 #include "vtkCommand.h"
 #include "vtkOITPass.h"
@@ -17,60 +18,24 @@
 #include "vtkRendererCollection.h"
 #include "vtkSmartPointer.h"
 #include "vtkVersion.h"
-#include "vtkWeakPointer.h"
 
-#include <algorithm>
 #include <cstring>
-#include <mutex>
 #include <vector>
 
 namespace
 {
-/// Objects that may be gone: the application owns them, and may remove observers of theirs.
-template <typename ClassType>
-class Reached
-{
-public:
-  void Add(ClassType* object)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Objects.erase(std::remove_if(this->Objects.begin(), this->Objects.end(),
-                          [object](ClassType* each) { return !each || each == object; }),
-      this->Objects.end());
-    this->Objects.emplace_back(object);
-  }
-
-  /// Those that there are.
-  std::vector<vtkSmartPointer<ClassType>> GetAll()
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    std::vector<vtkSmartPointer<ClassType>> all;
-    for (ClassType* object : this->Objects)
-    {
-      if (object)
-      {
-        all.emplace_back(object);
-      }
-    }
-    return all;
-  }
-
-private:
-  std::mutex Mutex;
-  std::vector<vtkWeakPointer<ClassType>> Objects;
-};
-
 /// Never destroyed: VTK's own objects may come to an end after ours.
 struct State
 {
   vtkSmartPointer<vtkObjectFactory> Factory;
   vtkSmartPointer<vtkCommand> WindowObserver;
   std::string Method; // empty when nothing is installed
+  bool IsWatching = false;
   bool Respect = false;
   bool Log = false;
   vtkSmartPointer<vtkOITPass> Properties; // a pass that only carries them
-  Reached<vtkRenderer> Renderers;
-  Reached<vtkRenderWindow> Windows;
+  vtkOITReached<vtkRenderer> Renderers;
+  vtkOITReached<vtkRenderWindow> Windows;
 };
 State& GetState()
 {
@@ -173,6 +138,48 @@ vtkStandardNewMacro(vtkOITProcessHook::Factory);
 vtkStandardNewMacro(vtkOITProcessHook);
 
 //------------------------------------------------------------------------------
+void vtkOITProcessHook::PutFactory()
+{
+  State& state = GetState();
+  if (!state.Factory)
+  {
+    state.Factory = vtkSmartPointer<Factory>::New();
+    state.WindowObserver = vtkSmartPointer<WindowObserver>::New();
+  }
+  // In front of all others: the first factory that creates wins, and RegisterFactory() appends.
+  vtkObjectFactoryCollection* factories = vtkObjectFactory::GetRegisteredFactories();
+  if (factories->GetNumberOfItems() == 0)
+  {
+    factories->AddItem(state.Factory);
+  }
+  else if (!factories->IsItemPresent(state.Factory))
+  {
+    factories->InsertItem(-1, state.Factory);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOITProcessHook::SetWatch(bool watch)
+{
+  State& state = GetState();
+  state.IsWatching = watch;
+  if (watch)
+  {
+    PutFactory();
+  }
+  else if (state.Method.empty() && state.Factory)
+  {
+    vtkObjectFactory::GetRegisteredFactories()->RemoveItem(state.Factory);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITProcessHook::GetWatch()
+{
+  return GetState().IsWatching;
+}
+
+//------------------------------------------------------------------------------
 bool vtkOITProcessHook::Install(const std::string& methodName)
 {
   if (!IsMethod(methodName))
@@ -181,22 +188,8 @@ bool vtkOITProcessHook::Install(const std::string& methodName)
       "vtkOITProcessHook: there is no method " << methodName << "; give one of " << ListMethods());
     return false;
   }
+  PutFactory();
   State& state = GetState();
-  if (state.Method.empty())
-  {
-    // In front of all others: the first factory that creates wins, and RegisterFactory() appends.
-    state.Factory = vtkSmartPointer<Factory>::New();
-    state.WindowObserver = vtkSmartPointer<WindowObserver>::New();
-    vtkObjectFactoryCollection* factories = vtkObjectFactory::GetRegisteredFactories();
-    if (factories->GetNumberOfItems() > 0)
-    {
-      factories->InsertItem(-1, state.Factory);
-    }
-    else
-    {
-      factories->AddItem(state.Factory);
-    }
-  }
   const bool isNew = state.Method.empty();
   const bool isChanged = state.Method != methodName;
   state.Method = methodName;
@@ -210,7 +203,7 @@ bool vtkOITProcessHook::Install(const std::string& methodName)
       (vtkOITRendererHook::IsInstalledUnasked(renderer) ||
         !vtkOITRendererHook::GetInstalledPass(renderer)))
     {
-      Reach(renderer, isNew ? "again" : "by another method");
+      Reach(renderer, isNew ? "later" : "by another method");
     }
   }
   return true;
@@ -225,7 +218,10 @@ bool vtkOITProcessHook::Uninstall()
     return false;
   }
   state.Method.clear();
-  vtkObjectFactory::GetRegisteredFactories()->RemoveItem(state.Factory);
+  if (!state.IsWatching)
+  {
+    vtkObjectFactory::GetRegisteredFactories()->RemoveItem(state.Factory);
+  }
   for (const auto& window : state.Windows.GetAll())
   {
     window->RemoveObserver(state.WindowObserver);
@@ -278,11 +274,14 @@ bool vtkOITProcessHook::CheckEnvironment()
 void vtkOITProcessHook::ReachWindow(vtkRenderWindow* window)
 {
   State& state = GetState();
-  if (window && !state.Method.empty() &&
-    !window->HasObserver(vtkCommand::StartEvent, state.WindowObserver))
+  if (!window || (state.Method.empty() && !state.IsWatching))
+  {
+    return;
+  }
+  state.Windows.Add(window);
+  if (!state.Method.empty() && !window->HasObserver(vtkCommand::StartEvent, state.WindowObserver))
   {
     window->AddObserver(vtkCommand::StartEvent, state.WindowObserver);
-    state.Windows.Add(window);
   }
 }
 
@@ -310,8 +309,11 @@ void vtkOITProcessHook::ReachRenderer(vtkRenderer* renderer, const std::string& 
     vtkOITRendererHook::Observe(renderer);
     return;
   }
-  Reach(renderer, way);
   GetState().Renderers.Add(renderer);
+  if (!GetState().Method.empty())
+  {
+    Reach(renderer, way);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -52,6 +52,14 @@ public:
   /// that takes these, too. False when nothing was installed.
   static bool Uninstall();
 
+  /// Whether renderers and windows that are made while nothing is installed are remembered: Install()
+  /// reaches those as well, and ReachWindow() lets it reach that window. For applications in which
+  /// users switch a method on and off. Default off.
+  ///@{
+  static void SetWatch(bool watch);
+  static bool GetWatch();
+  ///@}
+
   /// The name of the installed method, empty when nothing is installed.
   static std::string GetInstalledMethod();
 
@@ -96,6 +104,7 @@ protected:
 
 private:
   static void ReachRenderer(vtkRenderer* renderer, const std::string& way);
+  static void PutFactory();
   static void ReachRenderersOf(vtkRenderWindow* window);
   static void Reach(vtkRenderer* renderer, const std::string& way);
   static std::vector<vtkSmartPointer<vtkRenderer>> GetReached();

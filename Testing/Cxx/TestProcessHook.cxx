@@ -160,6 +160,34 @@ void CheckChanges(Report& report, const Setup& setup)
   vtkOITProcessHook::Uninstall();
 }
 
+/// What was made while nothing is installed is reached later, when asked for.
+void CheckWatch(Report& report, const Setup& setup)
+{
+  Application before(setup);
+  vtkOITProcessHook::SetWatch(true);
+  Application application(setup);
+  vtkOITProcessHook::ReachWindow(before.Scene.Window);
+  for (Application* each : { &before, &application })
+  {
+    each->Scene.RenderWindow();
+    report.Check(!each->GetPass(), "reached while nothing is installed");
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkOITProcessHook::Install();
+    application.CheckReached(report, "made before the installation");
+    before.CheckReached(report, "asked for before the installation");
+    vtkOITProcessHook::Uninstall();
+    report.Check(!application.GetPass() && !before.GetPass(), "not given back");
+  }
+  vtkOITProcessHook::SetWatch(false);
+  Application after(setup);
+  vtkOITProcessHook::Install();
+  after.Scene.RenderWindow();
+  report.Check(!after.GetPass(), "remembered when not watching");
+  vtkOITProcessHook::Uninstall();
+}
+
 /// Lets the renderer draw by itself, as ParaView's class of that name; it is known by its name.
 class ParaViewPass : public vtkRenderPass
 {
@@ -263,5 +291,6 @@ int TestProcessHook(int argc, char* argv[])
       CheckChains(report, setup);
       CheckRespect(report, setup);
       CheckOthers(report, setup);
+      CheckWatch(report, setup);
     });
 }

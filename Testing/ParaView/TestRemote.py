@@ -16,7 +16,7 @@ from Views import simple
 
 def free_port():
     with socket.socket() as taken:
-        taken.bind(("localhost", 0))
+        taken.bind(("127.0.0.1", 0))
         return taken.getsockname()[1]
 
 
@@ -39,7 +39,7 @@ class RemoteTest(Views.ViewTest):
         for line in server.stdout:
             if re.search("Accepting connection|Waiting for client", line):
                 break
-        simple.Connect("localhost", port)
+        simple.Connect("127.0.0.1", port)
         self.addCleanup(simple.Disconnect)
         Views.load_plugin(remote=True)
         Views.load_plugin()

@@ -80,12 +80,19 @@ class ViewTest(unittest.TestCase):
 
     def make_view(self, **properties):
         view = simple.CreateView("RenderView")
-        self.addCleanup(simple.Delete, view)
+        self.addCleanup(self.delete, view)
         properties = {"ViewSize": SIZE, "OrientationAxesVisibility": 0, "UseColorPaletteForBackground": 0,
                       "Background": [0, 0, 0], **properties}
         for name, value in properties.items():
             setattr(view, name, value)
         return view
+
+    @staticmethod
+    def delete(view):
+        """A view, unless its session has ended."""
+        connection = servermanager.ActiveConnection
+        if view.SMProxy and connection and view.GetSession() == connection.Session:
+            simple.Delete(view)
 
     def show_stack(self, view):
         """The stack as it fills the view, unlit. Returns its source."""

@@ -51,6 +51,7 @@ void vtkOITParaViewSettings::Start()
   const char* log = std::getenv("VTKOIT_LOG");
   vtkOITProcessHook::SetLog(log && !std::strcmp(log, "1"));
   vtkOITProcessHook::SetRespectDepthPeeling(true);
+  vtkOITProcessHook::SetWatch(true); // with the page at Off, too
   if (this->Method != 0)
   {
     vtkOITProcessHook::Install(Names[this->Method]);
