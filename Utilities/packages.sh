@@ -65,6 +65,7 @@ paraview='
   xauth
   xdotool
   scrot?
+  libqt5svg5?
 '
 
 list=

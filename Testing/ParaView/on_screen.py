@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""on_screen.py COMMAND…: runs a program of ParaView on a screen of Xvfb, with a home folder of its own.
+"""on_screen.py [VARIABLE=VALUE…] COMMAND…: runs a program of ParaView on a screen of Xvfb, with a home folder of its
+own.
 
 Status: that of the command; 125 with a line where something is missing.
 """
@@ -13,6 +14,10 @@ import tempfile
 
 
 def main(command):
+    variables = {}
+    while "=" in command[0]:
+        name, value = command.pop(0).split("=", 1)
+        variables[name] = value
     for program, package in ((command[0], "paraview or python3-paraview"), ("Xvfb", "xvfb")):
         if not shutil.which(program):
             print("needs %s (Debian: %s)" % (program, package))
@@ -33,6 +38,7 @@ def main(command):
                                "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_btl_vader_single_copy_mechanism": "none"}
                 for name in ("PV_PLUGIN_CONFIG_FILE", "PV_PLUGIN_PATH", "VTK_AUTOLOAD_PATH"):
                     environment.pop(name, None)
+                environment.update(variables)
                 return subprocess.run(command, env=environment, stdin=subprocess.DEVNULL, check=False).returncode
         finally:
             screen.terminate()
