@@ -37,4 +37,6 @@ with tempfile.TemporaryDirectory() as folder:
     reader.Update()
 color = [reader.GetOutput().GetScalarComponentAsDouble(32, 32, 0, channel) for channel in range(3)]
 print("colour in the middle:", color)
-sys.exit(any(abs(is_ - should) > 1 for is_, should in zip(color, (127.5, 63.75, 0))))
+# Only what is wrong: ParaView 5.11 alone crashes when a script calls sys.exit() with a view alive.
+if any(abs(is_ - should) > 1 for is_, should in zip(color, (127.5, 63.75, 0))):
+    sys.exit("that is not the right colour")
