@@ -46,6 +46,7 @@ applications='
   xvfb
 '
 
+# From libdouble-conversion-dev on: paraview-dev needs their files and does not depend on them.
 paraview='
   ca-certificates
   cmake
@@ -56,16 +57,29 @@ paraview='
   libosmesa6?
   libegl1
   mpi-default-bin
-  mpi-default-dev
   paraview
   paraview-dev
   python3-numpy
   python3-paraview
   xvfb
-  xauth
-  xdotool
-  scrot?
   libqt5svg5?
+  libdouble-conversion-dev
+  libexpat1-dev
+  libfreetype-dev
+  libgl-dev
+  libglew-dev
+  libjpeg-dev
+  liblz4-dev
+  liblzma-dev
+  libpng-dev
+  libtiff-dev
+  libx11-dev
+  libxcursor-dev
+  libxext-dev
+  libxt-dev
+  mpi-default-dev
+  python3-dev
+  zlib1g-dev
 '
 
 list=
