@@ -5,6 +5,7 @@
 // 8 bits of the A-buffer, for all kinds of lights and materials, also those that cannot be lit later.
 // Adding, moving and removing lights makes no program.
 
+#include "Oracle/ReferenceCompositor.h"
 #include "Rig/GLObjects.h"
 #include "Rig/Rig.h"
 #include "Scenes/LitScenes.h"
@@ -26,6 +27,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 using namespace vtkOITTest;
 
@@ -130,6 +132,34 @@ void CheckThatLightsCompileNothing(Report& report, const Setup& setup)
   report.Check(countPrograms() == before, "a light that was removed made a program");
 }
 
+/// Lists whose fragments cannot all be lit in one draw of a shader are drawn by the A-buffer.
+void CheckLongLists(Report& report, const Setup& setup)
+{
+  constexpr int Layers = 700;
+  constexpr int Lights = 100;
+  Rig rig(setup, 16, 12);
+  std::vector<Layer> layers;
+  std::vector<float> depths;
+  for (int i = 0; i < Layers; ++i)
+  {
+    depths.push_back(0.1f + 0.001f * i);
+    layers.push_back({ depths.back(), { 0.25f, 0.5f, 0.75f, 0.0078125f } });
+  }
+  rig.AddEqualLayers(depths, layers.front().Color);
+  for (int i = 0; i < Lights; ++i)
+  {
+    rig.Renderer->AddLight(vtkNew<vtkLight>());
+  }
+  for (int frame = 0; frame < 2; ++frame)
+  {
+    report.Compare("long lists under many lights", rig.Render(),
+      Everywhere(ReferenceCompositor::Composite(layers, rig.GetBackground())),
+      ReferenceCompositor::RoundingBound(layers, rig.GetBackground(), setup.FragmentStorage));
+    report.Check(rig.Pass->GetAlgorithmName() == "A-buffer",
+      "long lists were drawn by the " + rig.Pass->GetAlgorithmName());
+  }
+}
+
 /// Coincident fragments of one normal are exact by either way, those of two are not when peeled.
 void CheckCoincidentNormals(Report& report, const Setup& setup)
 {
@@ -218,6 +248,10 @@ int TestDeferredLights(int argc, char* argv[])
         CheckThatLightsCompileNothing(report, setup); // otherwise the mappers light
       }
       CheckCoincidentNormals(report, setup);
+      if (setup.Method == "deferred-abuffer")
+      {
+        CheckLongLists(report, setup);
+      }
       CheckChoice(report, setup);
     });
 }
