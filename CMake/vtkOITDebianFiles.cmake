@@ -3,14 +3,14 @@
 
 # Run by cpack between the installation and the packing: what Debian's policy asks of each package
 # beyond the files that are installed anywhere: copyright, changelogs, compressed manual pages, and
-# no search paths in libraries, which the system's linker finds.
+# no search paths in libraries, which the system's linker finds (but for those in a folder of their own).
 
 # Compresses a file in its place, with neither name nor time in it.
 function(vtkoit_compress file)
   execute_process(COMMAND gzip --no-name --best --force "${file}" COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
-set(components RUNTIME DEVELOPMENT PYTHON)
+set(components RUNTIME DEVELOPMENT PYTHON PARAVIEW)
 foreach(component IN LISTS components)
   string(TOLOWER "${component}" folder)
   set(tree "${CPACK_TEMPORARY_INSTALL_DIRECTORY}/${folder}${CPACK_PACKAGING_INSTALL_PREFIX}")
@@ -37,7 +37,7 @@ foreach(component IN LISTS components)
   endforeach()
   file(GLOB_RECURSE libraries "${tree}/lib/*.so" "${tree}/lib/*.so.*")
   foreach(library IN LISTS libraries)
-    if(NOT IS_SYMLINK "${library}")
+    if(NOT IS_SYMLINK "${library}" AND NOT component STREQUAL "PARAVIEW")
       file(RPATH_REMOVE FILE "${library}")
     endif()
   endforeach()

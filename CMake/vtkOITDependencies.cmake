@@ -36,11 +36,18 @@ set(vtkoit_vtk_test_components
   TestingCore
   TestingRendering)
 
+# ParaView finds the VTK that it was built with, which is then everybody's.
+if(VTKOIT_BUILD_PARAVIEW)
+  # Naming the components keeps it from asking for the development files of Qt.
+  find_package(ParaView 5.11 REQUIRED
+    COMPONENTS RemotingCore RemotingServerManager RemotingViews)
+endif()
+
 find_package(VTK 9.1 REQUIRED
   COMPONENTS ${vtkoit_vtk_components}
   OPTIONAL_COMPONENTS glad glew opengl ${vtkoit_vtk_test_components})
 
-if(BUILD_TESTING)
+if(BUILD_TESTING AND NOT VTKOIT_BUILD_PARAVIEW) # whose tests need ParaView alone
   foreach(vtkoit_component IN LISTS vtkoit_vtk_test_components)
     if(NOT TARGET VTK::${vtkoit_component})
       message(FATAL_ERROR "vtkOIT: the tests need VTK::${vtkoit_component}, which the VTK in "

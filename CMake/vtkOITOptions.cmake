@@ -8,6 +8,7 @@ option(BUILD_SHARED_LIBS "Build shared libraries" ON)
 option(BUILD_TESTING "Build the tests" ON)
 option(VTKOIT_WERROR "Treat compiler warnings as errors" OFF)
 option(VTKOIT_SANITIZE_ADDRESS "Compile and link with AddressSanitizer" OFF)
+option(VTKOIT_BUILD_PARAVIEW "Build the plugin for ParaView, and all else for ParaView's VTK" OFF)
 # VTKOIT_WRAP_PYTHON is in vtkOITDependencies.cmake: its default depends on the VTK found.
 
 get_property(vtkoit_is_multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)

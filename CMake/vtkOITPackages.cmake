@@ -6,6 +6,10 @@
 #   cpack -G DEB  libvtkoit<version>, libvtkoit-dev and python3-vtkoit for the release of Debian that
 #                 they are made on: each component of the installation is a package
 #   cpack -G TXZ  all of it in one archive, for a folder of the user's choice
+#
+# in that of the preset paraview:
+#
+#   cpack -G DEB  paraview-vtkoit, the plugin for the ParaView of that release, which needs no other
 
 set(CPACK_PACKAGE_NAME "vtkoit")
 set(CPACK_PACKAGE_VENDOR "the vtkOIT developers")
@@ -20,6 +24,9 @@ set(CPACK_THREADS 0)
 set(CPACK_COMPONENTS_ALL runtime development)
 if(VTKOIT_WRAP_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
+if(VTKOIT_BUILD_PARAVIEW) # all else would be for ParaView's VTK
+  set(CPACK_COMPONENTS_ALL paraview)
 endif()
 # What differs between the two.
 set(CPACK_PROJECT_CONFIG_FILE "${CMAKE_CURRENT_SOURCE_DIR}/CMake/vtkOITPackagesOf.cmake")
@@ -100,6 +107,21 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
   "${CMAKE_CURRENT_SOURCE_DIR}/CMake/debian/postinst"
   "${CMAKE_CURRENT_SOURCE_DIR}/CMake/debian/prerm")
+
+set(CPACK_DEBIAN_PARAVIEW_PACKAGE_NAME "paraview-vtkoit")
+set(CPACK_DEBIAN_PARAVIEW_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PARAVIEW_DESCRIPTION "Plugin for ParaView that draws translucent geometry in the right order at
+every pixel, whatever the order of triangles and sources.
+.
+The command paraview-vtkoit starts ParaView's programs with it.")
+if(VTKOIT_BUILD_PARAVIEW)
+  # The plugin's folder has the versions in its name.
+  math(EXPR vtkoit_next_paraview "${ParaView_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PARAVIEW_PACKAGE_DEPENDS
+    "paraview (>= ${ParaView_VERSION_SIMPLE}), paraview (<< ${ParaView_VERSION_MAJOR}.${vtkoit_next_paraview}~)")
+  list(APPEND CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS
+    "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/${PARAVIEW_PLUGIN_SUBDIR}/vtkOITParaView")
+endif()
 
 # For vtkOITDebianFiles.cmake.
 set(CPACK_VTKOIT_DEBIAN_VERSION "${vtkoit_debian_version}")

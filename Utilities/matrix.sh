@@ -2,16 +2,19 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# matrix.sh [--copy FILE TO] RELEASE [COMMAND...]: runs the command, default `Utilities/test.sh ci`,
-# on a copy of this tree inside a bare Debian RELEASE (bookworm, trixie, testing, ...). --copy then
-# copies a FILE of that tree out, to the file TO. RELEASE all: bookworm, trixie and testing, one after
-# the other, whatever fails; a line for each at the end.
+# matrix.sh [--copy FILE TO] [--paraview] RELEASE [COMMAND...]: runs the command, default
+# `Utilities/test.sh ci`, on a copy of this tree inside a bare Debian RELEASE (bookworm, trixie,
+# testing, ...). --copy then copies a FILE of that tree out, to the file TO. --paraview takes another
+# one, with ParaView, whose packages exclude those of VTK in Debian 12; default command there
+# `Utilities/paraview.sh --here`. RELEASE all: bookworm, trixie and testing, one after the other,
+# whatever fails; a line for each at the end.
 #
 # The root file system of the release is made once, by mmdebstrap, and kept with its packages and
 # its build folder in ${XDG_CACHE_HOME:-$HOME/.cache}/vtkoit (VTKOIT_ROOTFS_CACHE names another
 # folder). Delete it there to start afresh.
 #
-# Status: that of the command, of all the first one that is not 0; 77 with one line when the root file system cannot be made or entered.
+# Status: that of the command, of all the first one that is not 0; 77 with one line when the root file
+# system cannot be made or entered.
 set -eu
 # shellcheck source=common.sh
 . "$(dirname -- "$0")/common.sh"
@@ -22,8 +25,15 @@ if [ "${1:-}" = --copy ] && [ $# -gt 3 ]; then
   target=$3
   shift 3
 fi
+packages=
+paraview=
+if [ "${1:-}" = --paraview ]; then
+  packages=paraview
+  paraview=-paraview
+  shift
+fi
 case ${1:--} in
-  -*) fail "usage: matrix.sh [--copy FILE TO] RELEASE [COMMAND...], such as: matrix.sh testing" 2 ;;
+  -*) fail "usage: matrix.sh [--copy FILE TO] [--paraview] RELEASE [COMMAND...], such as: matrix.sh testing" 2 ;;
 esac
 if [ "$1" = all ]; then
   shift
@@ -31,7 +41,7 @@ if [ "$1" = all ]; then
   lines=
   for release in bookworm trixie testing; do
     result=0
-    "$0" "$release" "$@" || result=$?
+    "$0" ${paraview:+--paraview} "$release" "$@" || result=$?
     lines="$lines Debian $release: status $result;"
     [ "$status" != 0 ] || status=$result
   done
@@ -51,13 +61,17 @@ if [ "$(id -u)" != 0 ]; then
   command -v sudo >/dev/null 2>&1 || unavailable "chroot needs root, and there is no sudo"
   [ -t 0 ] || sudo -n true 2>/dev/null || unavailable "chroot needs root, and sudo a password"
   exec sudo -- env VTKOIT_ROOTFS_CACHE="$cache" "$0" \
-    ${wanted:+--copy "$wanted" "$target"} "$@"
+    ${wanted:+--copy "$wanted" "$target"} ${paraview:+--paraview} "$@"
 fi
 shift
-[ $# -gt 0 ] || set -- Utilities/test.sh ci
+if [ $# = 0 ] && [ -n "$paraview" ]; then
+  set -- Utilities/paraview.sh --here
+elif [ $# = 0 ]; then
+  set -- Utilities/test.sh ci
+fi
 
 check_rootfs
-name=debian-$release-$(dpkg --print-architecture)
+name=debian-$release$paraview-$(dpkg --print-architecture)
 rootfs=$cache/$name
 exec 9>"$cache/$name.lock"
 flock 9
@@ -78,7 +92,8 @@ else
   say "using the root file system in $rootfs"
 fi
 copy_source "$rootfs"
-inside "$rootfs" /vtkoit Utilities/packages.sh ||
+# shellcheck disable=SC2086 # nothing, or the name of a group
+inside "$rootfs" /vtkoit Utilities/packages.sh $packages ||
   unavailable "packages could not be installed in $rootfs (delete it to start afresh)"
 
 say "in Debian $release: $*"

@@ -5,8 +5,10 @@
 # packages.sh [tests] [applications]: installs the Debian packages that are missing: those that
 # building needs, those of the tests (among them a browser), and programs of the distribution that
 # some tests draw with. A test that misses something is skipped.
-# packages.sh --list [tests] [applications]: prints their names. A name that ends in ? is left out
-# where the release does not have it (Mesa dropped OSMesa; there the EGL libraries serve).
+# packages.sh paraview: those that the plugin for ParaView needs, and its tests, instead. In Debian 12
+# ParaView has a VTK of its own, whose packages exclude those of the system's.
+# packages.sh --list [tests] [applications] [paraview]: prints their names. A name that ends in ? is
+# left out where the release does not have it (Mesa dropped OSMesa; there the EGL libraries serve).
 set -eu
 # shellcheck source=common.sh
 . "$(dirname -- "$0")/common.sh"
@@ -44,6 +46,42 @@ applications='
   xvfb
 '
 
+# From libdouble-conversion-dev on: paraview-dev needs their files and does not depend on them.
+paraview='
+  ca-certificates
+  cmake
+  g++
+  ninja-build
+  libglm-dev
+  libgl1-mesa-dri
+  libosmesa6?
+  libegl1
+  mpi-default-bin
+  paraview
+  paraview-dev
+  python3-numpy
+  python3-paraview
+  xvfb
+  libqt5svg5?
+  libdouble-conversion-dev
+  libexpat1-dev
+  libfreetype-dev
+  libgl-dev
+  libglew-dev
+  libjpeg-dev
+  liblz4-dev
+  liblzma-dev
+  libpng-dev
+  libtiff-dev
+  libx11-dev
+  libxcursor-dev
+  libxext-dev
+  libxt-dev
+  mpi-default-dev
+  python3-dev
+  zlib1g-dev
+'
+
 list=
 if [ "${1:-}" = --list ]; then
   list=yes
@@ -53,7 +91,8 @@ for group in "$@"; do
   case $group in
     tests) packages="$packages $test_packages" ;;
     applications) packages="$packages $applications" ;;
-    *) fail "unknown argument $group; usage: packages.sh [--list] [tests] [applications]" 2 ;;
+    paraview) packages=$paraview ;;
+    *) fail "unknown argument $group; usage: packages.sh [--list] [tests] [applications] | paraview" 2 ;;
   esac
 done
 if [ -n "$list" ]; then

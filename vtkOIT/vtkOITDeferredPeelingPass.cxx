@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOITDeferredPeelingPass.h"
 
-#include "Private/ABuffer/vtkOITABufferEngine.h"
 #include "Private/Frame/vtkOITSettings.h"
+#include "Private/Plan/vtkOITDeferredEngine.h"
 
 #include "vtkObjectFactory.h"
 
@@ -11,12 +11,31 @@ vtkStandardNewMacro(vtkOITDeferredPeelingPass);
 
 //------------------------------------------------------------------------------
 vtkOITDeferredPeelingPass::vtkOITDeferredPeelingPass()
-  : vtkOITPass(std::make_unique<vtkOITABufferEngine>())
+  : vtkOITPeelingPass(std::make_unique<vtkOITDeferredEngine>())
+  , Engine(static_cast<vtkOITDeferredEngine*>(this->GetEngine()))
 {
 }
 
 //------------------------------------------------------------------------------
 vtkOITDeferredPeelingPass::~vtkOITDeferredPeelingPass() = default;
+
+//------------------------------------------------------------------------------
+void vtkOITDeferredPeelingPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mode: " << this->Mode << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkOITDeferredPeelingPass::SetMode(int mode)
+{
+  if (this->IsNamedValue("Mode", mode, A_BUFFER, "PEELING or A_BUFFER") && this->Mode != mode)
+  {
+    this->Mode = mode;
+    this->Engine->SetPeels(mode == PEELING);
+    this->Modified();
+  }
+}
 
 //------------------------------------------------------------------------------
 vtkOITSettings vtkOITDeferredPeelingPass::MakeSettings(const vtkOITCapabilities& capabilities) const

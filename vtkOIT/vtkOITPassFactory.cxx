@@ -36,10 +36,12 @@ vtkOITPass* CreateInMode()
   return pass;
 }
 
-const std::array<Method, 12> Methods = { {
+const std::array<Method, 13> Methods = { {
   { "auto", CreateAs<vtkOITAutoPass> },
   { "abuffer", CreateAs<vtkOITABufferPass> },
-  { "deferred-abuffer", CreateAs<vtkOITDeferredPeelingPass> },
+  { "deferred-abuffer",
+    CreateInMode<vtkOITDeferredPeelingPass, vtkOITDeferredPeelingPass::A_BUFFER> },
+  { "deferred", CreateInMode<vtkOITDeferredPeelingPass, vtkOITDeferredPeelingPass::PEELING> },
   { "peel", CreateAs<vtkOITDepthPeelingPass> },
   { "dual", CreateAs<vtkOITDualDepthPeelingPass> },
   { "multilayer", CreateAs<vtkOITMultiLayerPeelingPass> },

@@ -5,6 +5,7 @@
 #include "Private/Frame/vtkOITCompatibility.h"
 #include "Private/Hook/vtkOITEnvironment.h"
 #include "Private/Hook/vtkOITHookRecord.h"
+#include "Private/Hook/vtkOITReached.h"
 
 #include "vtkCommand.h"
 #include "vtkOITPass.h"
@@ -17,49 +18,24 @@
 #include "vtkRendererCollection.h"
 #include "vtkSmartPointer.h"
 #include "vtkVersion.h"
-#include "vtkWeakPointer.h"
 
-#include <algorithm>
 #include <cstring>
-#include <mutex>
 #include <vector>
 
 namespace
 {
-/// Objects that may be gone: the application owns them, and may remove observers of theirs.
-template <typename ClassType>
-class Reached
-{
-public:
-  void Add(ClassType* object)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Objects.erase(
-      std::remove(this->Objects.begin(), this->Objects.end(), nullptr), this->Objects.end());
-    this->Objects.emplace_back(object);
-  }
-
-  std::vector<vtkWeakPointer<ClassType>> TakeAll()
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    return std::move(this->Objects);
-  }
-
-private:
-  std::mutex Mutex;
-  std::vector<vtkWeakPointer<ClassType>> Objects;
-};
-
 /// Never destroyed: VTK's own objects may come to an end after ours.
 struct State
 {
   vtkSmartPointer<vtkObjectFactory> Factory;
   vtkSmartPointer<vtkCommand> WindowObserver;
   std::string Method; // empty when nothing is installed
+  bool IsWatching = false;
   bool Respect = false;
   bool Log = false;
-  Reached<vtkRenderer> Renderers;
-  Reached<vtkRenderWindow> Windows;
+  vtkSmartPointer<vtkOITPass> Properties; // a pass that only carries them
+  vtkOITReached<vtkRenderer> Renderers;
+  vtkOITReached<vtkRenderWindow> Windows;
 };
 State& GetState()
 {
@@ -67,9 +43,35 @@ State& GetState()
   return *state;
 }
 
+vtkOITPass* GetProperties()
+{
+  State& state = GetState();
+  if (!state.Properties)
+  {
+    state.Properties.TakeReference(vtkOITPassFactory::CreatePass("auto"));
+  }
+  return state.Properties;
+}
+
+void CopyProperties(vtkOITPass* pass)
+{
+  pass->SetTransmittanceThreshold(GetProperties()->GetTransmittanceThreshold());
+  pass->SetMaximumBufferSize(GetProperties()->GetMaximumBufferSize());
+}
+
+vtkSmartPointer<vtkOITPass> MakePass(const std::string& methodName)
+{
+  auto pass = vtkSmartPointer<vtkOITPass>::Take(vtkOITPassFactory::CreatePass(methodName));
+  if (pass)
+  {
+    CopyProperties(pass);
+  }
+  return pass;
+}
+
 bool IsMethod(const std::string& name)
 {
-  return vtkSmartPointer<vtkOITPass>::Take(vtkOITPassFactory::CreatePass(name)) != nullptr;
+  return MakePass(name) != nullptr;
 }
 
 std::string ListMethods()
@@ -136,6 +138,48 @@ vtkStandardNewMacro(vtkOITProcessHook::Factory);
 vtkStandardNewMacro(vtkOITProcessHook);
 
 //------------------------------------------------------------------------------
+void vtkOITProcessHook::PutFactory()
+{
+  State& state = GetState();
+  if (!state.Factory)
+  {
+    state.Factory = vtkSmartPointer<Factory>::New();
+    state.WindowObserver = vtkSmartPointer<WindowObserver>::New();
+  }
+  // In front of all others: the first factory that creates wins, and RegisterFactory() appends.
+  vtkObjectFactoryCollection* factories = vtkObjectFactory::GetRegisteredFactories();
+  if (factories->GetNumberOfItems() == 0)
+  {
+    factories->AddItem(state.Factory);
+  }
+  else if (!factories->IsItemPresent(state.Factory))
+  {
+    factories->InsertItem(-1, state.Factory);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOITProcessHook::SetWatch(bool watch)
+{
+  State& state = GetState();
+  state.IsWatching = watch;
+  if (watch)
+  {
+    PutFactory();
+  }
+  else if (state.Method.empty() && state.Factory)
+  {
+    vtkObjectFactory::GetRegisteredFactories()->RemoveItem(state.Factory);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITProcessHook::GetWatch()
+{
+  return GetState().IsWatching;
+}
+
+//------------------------------------------------------------------------------
 bool vtkOITProcessHook::Install(const std::string& methodName)
 {
   if (!IsMethod(methodName))
@@ -144,23 +188,24 @@ bool vtkOITProcessHook::Install(const std::string& methodName)
       "vtkOITProcessHook: there is no method " << methodName << "; give one of " << ListMethods());
     return false;
   }
+  PutFactory();
   State& state = GetState();
-  if (state.Method.empty())
+  const bool isNew = state.Method.empty();
+  const bool isChanged = state.Method != methodName;
+  state.Method = methodName;
+  for (const auto& window : state.Windows.GetAll())
   {
-    // In front of all others: the first factory that creates wins, and RegisterFactory() appends.
-    state.Factory = vtkSmartPointer<Factory>::New();
-    state.WindowObserver = vtkSmartPointer<WindowObserver>::New();
-    vtkObjectFactoryCollection* factories = vtkObjectFactory::GetRegisteredFactories();
-    if (factories->GetNumberOfItems() > 0)
+    ReachWindow(window);
+  }
+  for (const auto& renderer : state.Renderers.GetAll())
+  {
+    if (isChanged &&
+      (vtkOITRendererHook::IsInstalledUnasked(renderer) ||
+        !vtkOITRendererHook::GetInstalledPass(renderer)))
     {
-      factories->InsertItem(-1, state.Factory);
-    }
-    else
-    {
-      factories->AddItem(state.Factory);
+      Reach(renderer, isNew ? "later" : "by another method");
     }
   }
-  state.Method = methodName;
   return true;
 }
 
@@ -173,20 +218,17 @@ bool vtkOITProcessHook::Uninstall()
     return false;
   }
   state.Method.clear();
-  vtkObjectFactory::GetRegisteredFactories()->RemoveItem(state.Factory);
-  for (const auto& window : state.Windows.TakeAll())
+  if (!state.IsWatching)
   {
-    if (window)
-    {
-      window->RemoveObserver(state.WindowObserver);
-    }
+    vtkObjectFactory::GetRegisteredFactories()->RemoveItem(state.Factory);
   }
-  for (const auto& renderer : state.Renderers.TakeAll())
+  for (const auto& window : state.Windows.GetAll())
   {
-    if (renderer && vtkOITRendererHook::IsInstalledUnasked(renderer))
-    {
-      vtkOITRendererHook::Uninstall(renderer);
-    }
+    window->RemoveObserver(state.WindowObserver);
+  }
+  for (const auto& renderer : GetReached())
+  {
+    vtkOITRendererHook::Uninstall(renderer);
   }
   return true;
 }
@@ -232,11 +274,14 @@ bool vtkOITProcessHook::CheckEnvironment()
 void vtkOITProcessHook::ReachWindow(vtkRenderWindow* window)
 {
   State& state = GetState();
-  if (window && !state.Method.empty() &&
-    !window->HasObserver(vtkCommand::StartEvent, state.WindowObserver))
+  if (!window || (state.Method.empty() && !state.IsWatching))
+  {
+    return;
+  }
+  state.Windows.Add(window);
+  if (!state.Method.empty() && !window->HasObserver(vtkCommand::StartEvent, state.WindowObserver))
   {
     window->AddObserver(vtkCommand::StartEvent, state.WindowObserver);
-    state.Windows.Add(window);
   }
 }
 
@@ -255,7 +300,6 @@ void vtkOITProcessHook::ReachRenderersOf(vtkRenderWindow* window)
 //------------------------------------------------------------------------------
 void vtkOITProcessHook::ReachRenderer(vtkRenderer* renderer, const std::string& way)
 {
-  const State& state = GetState();
   if (!vtkOpenGLRenderer::SafeDownCast(renderer))
   {
     return;
@@ -265,10 +309,67 @@ void vtkOITProcessHook::ReachRenderer(vtkRenderer* renderer, const std::string& 
     vtkOITRendererHook::Observe(renderer);
     return;
   }
-  const auto pass = vtkSmartPointer<vtkOITPass>::Take(vtkOITPassFactory::CreatePass(state.Method));
-  vtkOITRendererHook::InstallUnasked(
-    renderer, pass, vtkOITHookRecord::Create(way, state.Method, state.Respect, state.Log));
   GetState().Renderers.Add(renderer);
+  if (!GetState().Method.empty())
+  {
+    Reach(renderer, way);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOITProcessHook::Reach(vtkRenderer* renderer, const std::string& way)
+{
+  const State& state = GetState();
+  vtkOITRendererHook::InstallUnasked(renderer, MakePass(state.Method),
+    vtkOITHookRecord::Create(way, state.Method, state.Respect, state.Log));
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkRenderer>> vtkOITProcessHook::GetReached()
+{
+  std::vector<vtkSmartPointer<vtkRenderer>> reached;
+  for (const auto& renderer : GetState().Renderers.GetAll())
+  {
+    if (vtkOITRendererHook::IsInstalledUnasked(renderer))
+    {
+      reached.push_back(renderer);
+    }
+  }
+  return reached;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITProcessHook::SetTransmittanceThreshold(double threshold)
+{
+  GetProperties()->SetTransmittanceThreshold(threshold);
+  for (const auto& renderer : GetReached())
+  {
+    CopyProperties(vtkOITRendererHook::GetInstalledPass(renderer));
+  }
+  return GetTransmittanceThreshold() == threshold;
+}
+
+//------------------------------------------------------------------------------
+double vtkOITProcessHook::GetTransmittanceThreshold()
+{
+  return GetProperties()->GetTransmittanceThreshold();
+}
+
+//------------------------------------------------------------------------------
+bool vtkOITProcessHook::SetMaximumBufferSize(vtkTypeInt64 bytes)
+{
+  GetProperties()->SetMaximumBufferSize(bytes);
+  for (const auto& renderer : GetReached())
+  {
+    CopyProperties(vtkOITRendererHook::GetInstalledPass(renderer));
+  }
+  return GetMaximumBufferSize() == bytes;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkOITProcessHook::GetMaximumBufferSize()
+{
+  return GetProperties()->GetMaximumBufferSize();
 }
 
 //------------------------------------------------------------------------------

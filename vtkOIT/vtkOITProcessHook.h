@@ -28,8 +28,10 @@
 
 #include "vtkOITModule.h" // for the export macro
 #include "vtkObject.h"
+#include "vtkSmartPointer.h" // for those that were reached
 
 #include <string> // for the method
+#include <vector> // for those that were reached
 
 class vtkRenderWindow;
 class vtkRenderer;
@@ -41,13 +43,22 @@ public:
   vtkTypeMacro(vtkOITProcessHook, vtkObject);
 
   /// All renderers that are made from now on, and all in windows that are made from now on, draw by
-  /// the method of that name. Called again, it changes the method of those to come. False, with one
-  /// line of error, when there is no such method.
+  /// the method of that name. Called again with another one, it changes the method of all that were
+  /// reached, from their next frame on, and of those to come. False, with one line of error, when
+  /// there is no such method.
   static bool Install(const std::string& methodName = "auto");
 
-  /// Gives back every renderer that was reached, and reaches no more. False when nothing was
-  /// installed.
+  /// Gives back every renderer that was reached, and reaches no more, until Install() is called again:
+  /// that takes these, too. False when nothing was installed.
   static bool Uninstall();
+
+  /// Whether renderers and windows that are made while nothing is installed are remembered: Install()
+  /// reaches those as well, and ReachWindow() lets it reach that window. For applications in which
+  /// users switch a method on and off. Default off.
+  ///@{
+  static void SetWatch(bool watch);
+  static bool GetWatch();
+  ///@}
 
   /// The name of the installed method, empty when nothing is installed.
   static std::string GetInstalledMethod();
@@ -62,6 +73,16 @@ public:
   /// A window that was made before Install(): its renderers are reached before its next frame. Does
   /// nothing when nothing is installed.
   static void ReachWindow(vtkRenderWindow* window);
+
+  /// Properties of the passes of all renderers, of those that were reached already, too: see
+  /// vtkOITPass, which has the ranges and defaults. They stay after Uninstall(). False, with one line
+  /// of error, for a value that a pass refuses.
+  ///@{
+  static bool SetTransmittanceThreshold(double threshold);
+  static double GetTransmittanceThreshold();
+  static bool SetMaximumBufferSize(vtkTypeInt64 bytes);
+  static vtkTypeInt64 GetMaximumBufferSize();
+  ///@}
 
   /// Whether a renderer's UseDepthPeeling decides who draws its frames: with it off, VTK does.
   /// Default off. For renderers that are reached from now on.
@@ -83,7 +104,10 @@ protected:
 
 private:
   static void ReachRenderer(vtkRenderer* renderer, const std::string& way);
+  static void PutFactory();
   static void ReachRenderersOf(vtkRenderWindow* window);
+  static void Reach(vtkRenderer* renderer, const std::string& way);
+  static std::vector<vtkSmartPointer<vtkRenderer>> GetReached();
   class Factory;
   class WindowObserver;
 

@@ -100,11 +100,16 @@ std::string Adapter::FindObstacle()
   vtkRenderer* renderer = this->Renderer;
   if (vtkRenderPass* chain = renderer->GetPass())
   {
-    return this->Chain.Put(chain, this->Pass)
-      ? std::string()
-      : "The renderer has a pass, " + std::string(chain->GetClassName()) +
+    if (this->Chain.Put(chain, this->Pass))
+    {
+      return {};
+    }
+    if (!this->Chain.LeadsToRenderer())
+    {
+      return "The renderer has a pass, " + std::string(chain->GetClassName()) +
         ", in which no translucent pass of VTK was found; put the pass there yourself, e.g. by "
         "vtkRenderStepsPass::SetTranslucentPass()";
+    }
   }
   if (renderer->GetUseShadows())
   {

@@ -5,21 +5,29 @@
 // 8 bits of the A-buffer, for all kinds of lights and materials, also those that cannot be lit later.
 // Adding, moving and removing lights makes no program.
 
+#include "Oracle/ReferenceCompositor.h"
 #include "Rig/GLObjects.h"
 #include "Rig/Rig.h"
 #include "Scenes/LitScenes.h"
 
-#include "vtkCamera.h"
+#include "vtkActor.h"
+#include "vtkFloatArray.h"
 #include "vtkLight.h"
-#include "vtkLightCollection.h"
+#include "vtkMapper.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace vtkOITTest;
 
@@ -54,8 +62,10 @@ void CompareWithForward(
   report.Compare(what, deferred, forward, OneStep);
   // What keeps float colours is lit by the mappers.
   const bool isHalf = setup.FragmentStorage == Storage::Half;
-  report.Check(algorithm == (isHalf ? "deferred A-buffer" : "A-buffer"),
-    what + " was drawn by the " + algorithm);
+  const std::string expected = setup.Method == "deferred" ? "deferred depth peeling"
+    : isHalf                                              ? "deferred A-buffer"
+                                                          : "A-buffer";
+  report.Check(algorithm == expected, what + " was drawn by the " + algorithm);
 }
 
 /// Whether the lights of an arrangement are seen at all.
@@ -121,6 +131,87 @@ void CheckThatLightsCompileNothing(Report& report, const Setup& setup)
   rig.Renderer->RemoveLight(spot);
   report.Check(countPrograms() == before, "a light that was removed made a program");
 }
+
+/// Lists whose fragments cannot all be lit in one draw of a shader are drawn by the A-buffer.
+void CheckLongLists(Report& report, const Setup& setup)
+{
+  constexpr int Layers = 700;
+  constexpr int Lights = 100;
+  Rig rig(setup, 16, 12);
+  std::vector<Layer> layers;
+  std::vector<float> depths;
+  for (int i = 0; i < Layers; ++i)
+  {
+    depths.push_back(0.1f + 0.001f * i);
+    layers.push_back({ depths.back(), { 0.25f, 0.5f, 0.75f, 0.0078125f } });
+  }
+  rig.AddEqualLayers(depths, layers.front().Color);
+  for (int i = 0; i < Lights; ++i)
+  {
+    rig.Renderer->AddLight(vtkNew<vtkLight>());
+  }
+  for (int frame = 0; frame < 2; ++frame)
+  {
+    report.Compare("long lists under many lights", rig.Render(),
+      Everywhere(ReferenceCompositor::Composite(layers, rig.GetBackground())),
+      ReferenceCompositor::RoundingBound(layers, rig.GetBackground(), setup.FragmentStorage));
+    report.Check(rig.Pass->GetAlgorithmName() == "A-buffer",
+      "long lists were drawn by the " + rig.Pass->GetAlgorithmName());
+  }
+}
+
+/// Coincident fragments of one normal are exact by either way, those of two are not when peeled.
+void CheckCoincidentNormals(Report& report, const Setup& setup)
+{
+  for (const bool differ : { false, true })
+  {
+    Rig rig(setup, Width, Height);
+    for (const double tilt : { 0.0, differ ? 0.6 : 0.0 })
+    {
+      vtkActor* actor = rig.AddQuad({ 0.5f, { 0.8f, 0.4f, 0.6f, 0.5f } });
+      actor->GetProperty()->LightingOn();
+      vtkNew<vtkFloatArray> normals;
+      normals->SetNumberOfComponents(3);
+      for (int i = 0; i < 4; ++i)
+      {
+        normals->InsertNextTuple3(tilt, 0.0, std::sqrt(1.0 - tilt * tilt));
+      }
+      vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0))
+        ->GetPointData()
+        ->SetNormals(normals);
+    }
+    rig.Render();
+    const bool isExact = setup.Method != "deferred" || !differ;
+    report.Check(rig.Pass->GetExact() == isExact,
+      std::string("coincident layers of ") + (differ ? "two normals" : "one normal") +
+        (isExact ? " are not exact" : " are called exact"));
+  }
+}
+
+/// The automatic choice takes it where there are many lights, and until there are few.
+void CheckChoice(Report& report, const Setup& setup)
+{
+  Setup automatic = setup;
+  automatic.Method = "auto";
+  Rig rig(automatic, Width, Height);
+  AddLitScene(rig.Renderer, GetLitMaterials().front());
+  const bool canDefer = setup.FragmentStorage == Storage::Half && setup.HasStorage;
+  for (const auto& [lights, defers] : { std::pair(1, false), std::pair(7, false),
+         std::pair(8, true), std::pair(5, true), std::pair(3, false), std::pair(5, false) })
+  {
+    rig.Renderer->RemoveAllLights();
+    for (int i = 0; i < lights; ++i)
+    {
+      vtkNew<vtkLight> light;
+      light->SetPosition(i, 1.0, 3.0);
+      rig.Renderer->AddLight(light);
+    }
+    rig.Render();
+    const bool isDeferred = rig.Pass->GetAlgorithmName() == "deferred A-buffer";
+    report.Check(isDeferred == (defers && canDefer),
+      "auto with " + std::to_string(lights) + " lights: " + rig.Pass->GetAlgorithmName());
+  }
+}
 }
 
 int TestDeferredLights(int argc, char* argv[])
@@ -128,24 +219,39 @@ int TestDeferredLights(int argc, char* argv[])
   return RunTest(argc, argv, Setups::Storages,
     [](Report& report, const Setup& setup)
     {
+      Rig::KeepWindow(true); // and its shaders
+      const bool isFirst = setup.Tier == "all extensions";
       for (const LightArrangement& lights : GetLightArrangements())
       {
-        CompareWithForward(report, setup, GetLitMaterials().front(), lights);
+        if (isFirst || lights.IsForEachMaterial)
+        {
+          CompareWithForward(report, setup, GetLitMaterials().front(), lights);
+        }
       }
       for (const LitMaterial& material : GetLitMaterials())
       {
         for (const LightArrangement& lights : GetLightArrangements())
         {
-          if (lights.IsForEachMaterial)
+          if (isFirst && lights.IsForEachMaterial)
           {
             CompareWithForward(report, setup, material, lights);
           }
         }
       }
-      CheckThatLightsMatter(report, setup);
-      if (setup.FragmentStorage == Storage::Half) // otherwise the mappers light
+      if (isFirst)
       {
-        CheckThatLightsCompileNothing(report, setup);
+        CheckThatLightsMatter(report, setup);
       }
+      Rig::KeepWindow(false);
+      if (setup.Method == "deferred" || setup.FragmentStorage == Storage::Half)
+      {
+        CheckThatLightsCompileNothing(report, setup); // otherwise the mappers light
+      }
+      CheckCoincidentNormals(report, setup);
+      if (setup.Method == "deferred-abuffer")
+      {
+        CheckLongLists(report, setup);
+      }
+      CheckChoice(report, setup);
     });
 }

@@ -12,6 +12,13 @@
 #include "vtkOITMultiLayerPeelingPass.h"
 #include "vtkOITPeelingPass.h"
 
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkCommand.h"
+#include "vtkMapper.h"
+#include "vtkNew.h"
+#include "vtkRenderer.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -215,6 +222,37 @@ void CheckLayersPerPass(Report& report, Rig& rig, const Setup& setup)
   pass->SetNumberOfLayersPerPass(8);
 }
 
+/// Moves an actor away after each draw of its mapper.
+class MovingAway : public vtkCommand
+{
+public:
+  static MovingAway* New() { return new MovingAway; }
+  void Execute(vtkObject*, unsigned long, void*) override { this->Actor->AddPosition(0, 0, -0.01); }
+
+  vtkActor* Actor = nullptr;
+};
+
+/// Fragments that are not where they were in the pass before cannot be peeled: buckets count them.
+void CheckMovingFragments(Report& report, Rig& rig)
+{
+  auto* pass = vtkOITBucketPeelingPass::SafeDownCast(rig.Pass);
+  if (!pass)
+  {
+    return;
+  }
+  rig.RemoveProps();
+  rig.AddStack({ { 0.5f, { 0.9f, 0.2f, 0.1f, 0.25f } } });
+  vtkActor* actor = rig.Renderer->GetActors()->GetLastActor();
+  rig.Render();
+  report.Check(pass->GetExact() && pass->GetNumberOfLostFragments() == 0, "a prop at rest");
+  vtkNew<MovingAway> moving;
+  moving->Actor = actor;
+  actor->GetMapper()->AddObserver(vtkCommand::UpdateShaderEvent, moving);
+  rig.Render();
+  report.Check(!pass->GetExact() && pass->GetNumberOfLostFragments() == Width * Height,
+    "a prop that moves: " + std::to_string(pass->GetNumberOfLostFragments()) + " lost");
+}
+
 /// A single shot, whose picture may be off by so much; of the fragments of a pixel some are not kept.
 void CheckShot(Report& report, Rig& rig, const std::string& what, const std::vector<Layer>& layers,
   int lost, bool isExact, double allowed)
@@ -270,6 +308,11 @@ void CheckSingleShot(Report& report, Rig& rig, const Setup& setup)
       { 0.9f, { 0.0f, 0.2f, 1.0f, 0.3f } } };
     CheckShot(report, rig, "two in a bucket", twins, isAdaptive || isPairs ? 0 : 1, isAdaptive,
       isAdaptive ? allowed : 0.006);
+    // Opacities of props have numbers.
+    CheckShot(report, rig, "two opacities",
+      { { 0.2f, { 0.2f, 0.9f, 0.5f, 0.3f } }, { 0.5f, { 1.0f, 0.6f, 0.2f, 0.6f } },
+        { 0.8f, { 0.0f, 0.2f, 1.0f, 0.3f } } },
+      0, isAdaptive, allowed);
     // Coincident ones share a slot.
     CheckShot(report, rig, "three of one depth",
       EqualLayers({ 0.1f, 0.5f, 0.5f, 0.5f, 0.9f }, color), 2, false, 0.0025);
@@ -320,6 +363,7 @@ int TestPeelingStatistics(int argc, char* argv[])
       CheckChanges(report, setup, 1 << 20);
       CheckLayersPerPass(report, rig, setup);
       CheckSingleShot(report, rig, setup);
+      CheckMovingFragments(report, rig);
       report.SetStressTest(30);
       CheckLimits(report, rig, setup);
     });

@@ -5,6 +5,7 @@
 // and given back.
 
 #include "Oracle/ReferenceCompositor.h"
+#include "Rig/LineCatcher.h"
 #include "Rig/Rig.h"
 #include "Scenes/Random.h"
 
@@ -15,6 +16,8 @@
 #include "vtkOITRendererHook.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOutputWindow.h"
+#include "vtkRenderPass.h"
+#include "vtkRenderState.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -113,7 +116,96 @@ void CheckReach(Report& report, const Setup& setup)
   report.Check(!application.GetPass(), "reached after uninstalling");
   vtkNew<vtkRenderer> late;
   report.Check(!vtkOITRendererHook::GetInstalledPass(late), "a pass in a renderer made later");
+
+  vtkOITProcessHook::Install("auto");
+  application.CheckReached(report, "installed again");
+  before.CheckReached(report, "installed again, a window from before");
+  report.Check(
+    !vtkOITRendererHook::GetInstalledPass(late), "one that was never reached is reached");
+  vtkOITProcessHook::Uninstall();
 }
+
+/// The method and the properties of passes that draw already.
+void CheckChanges(Report& report, const Setup& setup)
+{
+  vtkOITProcessHook::Install("abuffer");
+  Application application(setup);
+  application.CheckReached(report, "before changes");
+  vtkOITPass* first = application.GetPass();
+  vtkOITProcessHook::Install("abuffer");
+  report.Check(application.GetPass() == first, "the same method: another pass");
+  vtkOITProcessHook::Install("auto");
+  report.Check(application.GetPass()->IsA("vtkOITAutoPass"), "the method is not changed");
+  application.CheckReached(report, "another method");
+
+  report.Check(vtkOITProcessHook::SetTransmittanceThreshold(0.25), "a threshold is refused");
+  report.Check(vtkOITProcessHook::SetMaximumBufferSize(1 << 24), "a size is refused");
+  const auto check = [&](vtkRenderer* renderer, const std::string& what)
+  {
+    vtkOITPass* pass = vtkOITRendererHook::GetInstalledPass(renderer);
+    report.Check(pass->GetTransmittanceThreshold() == 0.25, what + ": the threshold is not set");
+    report.Check(pass->GetMaximumBufferSize() == 1 << 24, what + ": the size is not set");
+  };
+  check(application.Scene.Renderer, "a renderer that draws");
+  check(vtkNew<vtkRenderer>(), "a new renderer");
+  {
+    const LineCatcher lines;
+    report.Check(!vtkOITProcessHook::SetTransmittanceThreshold(2), "a wrong threshold is taken");
+    report.Check(!vtkOITProcessHook::SetMaximumBufferSize(-1), "a wrong size is taken");
+    report.Check(lines.GetTexts().size() == 2, "not one line for each: " + lines.Describe());
+  }
+  check(application.Scene.Renderer, "after wrong values");
+  vtkOITProcessHook::SetTransmittanceThreshold(1.0 / 512.0);
+  vtkOITProcessHook::SetMaximumBufferSize(0);
+  application.CheckReached(report, "with the defaults again");
+  vtkOITProcessHook::Uninstall();
+}
+
+/// What was made while nothing is installed is reached later, when asked for.
+void CheckWatch(Report& report, const Setup& setup)
+{
+  Application before(setup);
+  vtkOITProcessHook::SetWatch(true);
+  Application application(setup);
+  vtkOITProcessHook::ReachWindow(before.Scene.Window);
+  for (Application* each : { &before, &application })
+  {
+    each->Scene.RenderWindow();
+    report.Check(!each->GetPass(), "reached while nothing is installed");
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkOITProcessHook::Install();
+    application.CheckReached(report, "made before the installation");
+    before.CheckReached(report, "asked for before the installation");
+    vtkOITProcessHook::Uninstall();
+    report.Check(!application.GetPass() && !before.GetPass(), "not given back");
+  }
+  vtkOITProcessHook::SetWatch(false);
+  Application after(setup);
+  vtkOITProcessHook::Install();
+  after.Scene.RenderWindow();
+  report.Check(!after.GetPass(), "remembered when not watching");
+  vtkOITProcessHook::Uninstall();
+}
+
+/// Lets the renderer draw by itself, as ParaView's class of that name; it is known by its name.
+class ParaViewPass : public vtkRenderPass
+{
+public:
+  static ParaViewPass* New() { return new ParaViewPass; }
+  const char* GetClassNameInternal() const override { return "vtkPVDefaultPass"; }
+  vtkTypeBool IsA(const char* name) override
+  {
+    return std::string(name) == "vtkPVDefaultPass" || this->vtkRenderPass::IsA(name);
+  }
+  void Render(const vtkRenderState* state) override
+  {
+    this->UpdateLightGeometry(state->GetRenderer());
+    this->UpdateLights(state->GetRenderer());
+    this->UpdateGeometry(state->GetRenderer());
+  }
+};
 
 /// Chains of passes: those that have a slot are reached, others are drawn as without us.
 void CheckChains(Report& report, const Setup& setup)
@@ -140,6 +232,9 @@ void CheckChains(Report& report, const Setup& setup)
   report.CompareBits("a chain that hides its pass", application.Scene.RenderWindow(), without);
   application.Scene.Renderer->SetPass(ssaa);
   application.CheckReached(report, "the chain again");
+  hidden->SetDelegatePass(vtkNew<ParaViewPass>());
+  application.Scene.Renderer->SetPass(hidden);
+  application.CheckReached(report, "ParaView's chain");
   vtkOITProcessHook::Uninstall();
   report.Check(steps->GetTranslucentPass() == translucent, "the slot is not given back");
   report.Check(messages.Get().empty(), "the application was told: " + messages.Get());
@@ -193,8 +288,10 @@ int TestProcessHook(int argc, char* argv[])
     {
       Rig::KeepWindow(false); // windows are to be new ones
       CheckReach(report, setup);
+      CheckChanges(report, setup);
       CheckChains(report, setup);
       CheckRespect(report, setup);
       CheckOthers(report, setup);
+      CheckWatch(report, setup);
     });
 }

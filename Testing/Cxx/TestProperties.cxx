@@ -11,6 +11,7 @@
 #include "vtkNew.h"
 #include "vtkOITAutoPass.h"
 #include "vtkOITBucketPeelingPass.h"
+#include "vtkOITDeferredPeelingPass.h"
 #include "vtkOITMultiLayerPeelingPass.h"
 #include "vtkOITPass.h"
 #include "vtkOITPassFactory.h"
@@ -135,6 +136,7 @@ int TestProperties(int, char*[])
   }
   vtkNew<vtkOITMultiLayerPeelingPass> multiLayer;
   vtkNew<vtkOITBucketPeelingPass> bucket;
+  vtkNew<vtkOITDeferredPeelingPass> deferred;
   vtkNew<vtkOITWeightedPass> weighted;
   for (const int value : { -1, 5 })
   {
@@ -152,6 +154,9 @@ int TestProperties(int, char*[])
     CheckRefused(
       report, bucket, "depth range", "DepthRange", [&] { bucket->SetDepthRange(value); },
       [&] { return bucket->GetDepthRange(); });
+    CheckRefused(
+      report, deferred, "deferral", "Mode", [&] { deferred->SetMode(value); },
+      [&] { return deferred->GetMode(); });
     CheckRefused(
       report, weighted, "weight", "Mode", [&] { weighted->SetMode(value); },
       [&] { return weighted->GetMode(); });

@@ -165,8 +165,8 @@ int TestResources(int argc, char* argv[])
         "not checked: AddressSanitizer's quarantine keeps freed memory; its leak check at "
         "the end of the process takes the place of this one\n");
 #else
-      // The others keep 35 bytes and more per pixel, which would be 105 MiB; buckets 440, which
-      // would be 21 MiB in the 12 attachments here.
+      // The others keep 35 bytes and more per pixel, which would be 105 MiB; buckets 232, which
+      // would be 11 MiB in the 12 attachments here.
       const double allowed = setup.Method == "abuffer" || hasBuckets ? 8.0 : 50.0;
       report.Check(growth < allowed, "the process grew by " + std::to_string(growth) + " MiB");
 #endif

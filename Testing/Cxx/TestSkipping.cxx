@@ -162,7 +162,7 @@ void CheckSameResult(Report& report, Rig& rig, const Setup& setup)
   report.CompareBits("the next frame", rig.Render(), image);
 
   pass->SetUseOcclusionQuery(false);
-  pass->SetMaximumNumberOfPeels(setup.Method == "peel" ? 22 : 12);
+  pass->SetMaximumNumberOfPeels(setup.Method == "peel" || setup.Method == "deferred" ? 22 : 12);
   report.CompareBits("without occlusion queries", rig.Render(), image);
   pass->SetUseOcclusionQuery(true);
   pass->SetMaximumNumberOfPeels(0);

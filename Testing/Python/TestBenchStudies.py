@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command bench with --skips, --costs and --growth: the pages, and what is in them."""
+"""The command bench with --skips, --costs, --growth and --seeds: the pages, and what is in them."""
 
 import json
 import os
@@ -10,7 +10,19 @@ from unittest import mock
 import numpy
 import Support
 from TestBenchCommand import BenchTest
-from vtkoit.bench import catalogue, contenders, costs, growth, rounds, skips, stage
+from vtkoit.bench import (
+    catalogue,
+    contenders,
+    costs,
+    growth,
+    lights,
+    rounds,
+    scans,
+    seedpage,
+    seeds,
+    skips,
+    stage,
+)
 from vtkoit.errors import Error
 
 SETTINGS = rounds.Settings(frames=2, turn=0.5, budget=5.0)
@@ -139,6 +151,20 @@ class TestGrowth(BenchTest):
         self.assertRegex(page, r"(?m)^\| 100( \| [\d.]+ \([\d.]+\)){3} \|$")
 
 
+class TestLights(unittest.TestCase):
+    def test_tables(self):
+        self.assertAlmostEqual(lights.paper()[3][3], 410.0 / 78.0)
+        rows = lights.passes_by_lights(passes=(1, 2), lights=(2, 3), size=(60, 40), frames=1)
+        self.assertEqual([len(row) for row in rows], [2, 2])
+        self.assertEqual(rows[0][0], 1.0)
+        self.assertTrue(all(value > 0.0 for row in rows for value in row))
+        page = lights.markdown(rows, lights.paper("much"), (1, 2), (2, 3))
+        self.assertRegex(page, r"(?m)^\| 1 \| 1.00 \(1.00\) \| [\d.]+ \(1.41\) \|$")
+        methods = lights.methods_by_lights(("blend", "deferred-abuffer"), (1,), size=(60, 40), frames=1)
+        self.assertEqual(methods["blend", 1][1], 1.0)
+        self.assertGreater(methods["deferred-abuffer", 1][0], 0.0)
+
+
 class TestRefusals(BenchTest):
     def test_bad_input(self):
         self.fails("--skips", "--scenes", "spheres", text="leave --scenes out")
@@ -148,6 +174,43 @@ class TestRefusals(BenchTest):
         with open(self.path("file"), "w", encoding="ascii"):
             pass
         self.fails("--skips", "-o", "file", text="cannot be made")
+
+
+class TestSeeds(BenchTest):
+    def test_page(self):
+        os.mkdir(self.path("docs"))
+        self.succeeds("--seeds", "--quick", "--frames", "1", "--size", "60x60", "-o", "out",
+                      "--document", "docs")
+        page = self.read("docs", seedpage.PAGE)
+        self.assertEqual(page, self.read("out", seedpage.PAGE))
+        self.assertIn("vtkoit bench --seeds --quick --size 60x60 --frames 1", page)
+        results = json.loads(self.read("out", "seeds.json"))["results"]
+        # N + 1 passes, and one for two layers.
+        for row in results["dual"]:
+            self.assertEqual(row["passes"][seeds.PEEL], row["layers"] + 1)
+            self.assertEqual(row["passes"][seeds.DUAL], (row["layers"] + 1) // 2)
+        bucket, = results["buckets"]
+        self.assertEqual(bucket["scene"], scans.scenes()[0].name)
+        for name, passes in zip(seeds.BUCKETS, (1, 1, 2)):
+            self.assertEqual(bucket["methods"][name + ":MaximumNumberOfPeels=1"]["passes"], passes)
+            self.assertEqual(bucket["methods"][seeds.SHOT % name]["passes"], passes + 1)
+            self.assertLess(bucket["methods"][seeds.SHOT % name]["over8"], 1.0)
+        # What is left after a peel is what the next one draws.
+        left = results["peels"][0]["fragments"]
+        self.assertGreater(left[0], left[1])
+        self.assertAlmostEqual(left[0] - left[1], results["peels"][0]["changed"][0])
+
+    def test_verdict_follows_the_numbers(self):
+        def row(error):
+            methods = {name: {"speed": 1.0, "against_dual": 1.0, "passes": 1}
+                       for base in seeds.BUCKETS
+                       for name in (base, base + ":MaximumNumberOfPeels=1", seeds.SHOT % base)}
+            for base in seeds.BUCKETS:
+                methods[seeds.SHOT % base].update(over1=error, over8=0.0)
+            return {"scene": "a", "triangles": 1, "layers": 1, "methods": methods}
+
+        self.assertEqual(seedpage.buckets([row(0.2)] * 3).count("does not hold"), 2)
+        self.assertNotIn("does not hold", seedpage.buckets([row(0.0), row(0.0), row(9.0)]))
 
 
 if __name__ == "__main__":

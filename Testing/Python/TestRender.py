@@ -159,8 +159,8 @@ class TestRender(Support.FolderTest):
         Support.write_sphere(self.path("outer.vtp"), 2.0)
         Support.write_sphere(self.path("inner.vtp"), 1.0)
         names = vtkoit.methods()
-        for name in ("auto", "abuffer", "deferred-abuffer", "peel", "dual", "multilayer", "bucket",
-                     "bucket-pairs", "bucket-adaptive", "weighted-average", "weighted-sum",
+        for name in ("auto", "abuffer", "deferred-abuffer", "deferred", "peel", "dual",
+                     "multilayer", "bucket", "bucket-pairs", "bucket-adaptive", "weighted-average", "weighted-sum",
                      "weighted-blended"):
             self.assertIn(name, names)
         for name in names:

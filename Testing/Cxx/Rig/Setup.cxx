@@ -85,6 +85,7 @@ const std::vector<MethodRow>& GetMethodTable()
     { "abuffer", Expectation::Exact, { Storage::Half, Storage::Float32 }, { Full, NoFetch }, 4096 },
     { "deferred-abuffer", Expectation::Exact, { Storage::Half, Storage::Float32 },
       { Full, NoFetch }, 4096 },
+    { "deferred", Expectation::Exact, { Storage::Float32 }, { Full, GL32 }, 65 },
     { "peel", Expectation::Exact, { Storage::Float32 }, { Full, GL32 }, 65 },
     { "dual", Expectation::Exact, { Storage::Half, Storage::Float32 }, { Full, GL32 }, 257 },
     { "multilayer", Expectation::Exact, { Storage::Half }, { Full, NoFetch }, 257 },

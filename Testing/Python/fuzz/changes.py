@@ -7,7 +7,7 @@ import describe
 
 # Name: (what is edited, part that is set again, edit(rng, what)).
 CHANGES = {}
-METHODS = {"auto": 8, "abuffer": 2, "deferred-abuffer": 1, "peel": 2, "dual": 1, "multilayer": 1, "bucket": 1, "bucket-pairs": 0.5,
+METHODS = {"auto": 8, "abuffer": 2, "deferred-abuffer": 1, "deferred": 0.5, "peel": 2, "dual": 1, "multilayer": 1, "bucket": 1, "bucket-pairs": 0.5,
            "bucket-adaptive": 0.5}
 
 

@@ -8,23 +8,14 @@
 #include "Private/Engine/vtkOITPropParts.h"
 #include "Private/Frame/vtkOITFrame.h"
 
-#include "vtkActor.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkProperty.h"
 #include "vtkShaderProgram.h"
 
 namespace
 {
 /// What passes when there is no depth test.
 constexpr int AnyDepth = 7;
-
-bool IsReflecting(vtkProp* prop)
-{
-  auto* actor = vtkActor::SafeDownCast(prop);
-  vtkProperty* back = actor ? actor->GetBackfaceProperty() : nullptr;
-  return !actor || actor->GetProperty()->GetSpecular() > 0.0 || (back && back->GetSpecular() > 0.0);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -84,7 +75,7 @@ void vtkOITABufferEngine::SetUniforms(const Task& task, vtkShaderProgram* progra
   // An actor may have been told to write depth; translucent ones must not.
   task.Frame.GLState->vtkglDepthMask(GL_FALSE);
   this->Store.SetUniforms(program);
-  this->HasSpecular = this->HasSpecular || IsReflecting(prop);
+  this->HasSpecular = this->HasSpecular || vtkOITDeferredText::IsReflecting(prop);
   if (this->Shaders.HasDrawOrder())
   {
     program->SetUniformi("oitDrawNumber", this->NumberOfDraws++);

@@ -111,7 +111,8 @@ void vtkOITABufferEngine::ChooseShading(const Task& task)
     !frame.HasLight && !frame.Volumes && frame.Target.Samples == 0;
   const bool isLit =
     canDefer && !this->Lights.Update(frame) && this->Lights.GetNumberOfLights() > 0;
-  this->Defers = isLit && (deferral == Deferral::Always || this->Lights.Pays(this->Defers));
+  const bool canBeLit = isLit && this->Lights.GetNumberOfLights() <= this->MostLights;
+  this->Defers = canBeLit && (deferral == Deferral::Always || this->Lights.Pays(this->Defers));
   this->HasDrawn = true;
 }
 
@@ -305,6 +306,8 @@ vtkOITFailure vtkOITABufferEngine::DrawBand(const Task& task, std::int64_t& need
     if (!counters.Overflow && this->Resolver.IsTooDeep(counters))
     {
       this->Defers = false;
+      this->MostLights =
+        this->Lights.GetNumberOfLights() - 1; // so that not each frame tries in vain
       continue;
     }
     const std::int64_t capacity = this->Store.GetCapacity();

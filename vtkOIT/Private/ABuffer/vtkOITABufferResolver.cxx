@@ -65,6 +65,7 @@ void vtkOITABufferResolver::Release()
   this->DepthComplexity.Clear();
   this->CountStage.Release();
   this->TileStages.Release();
+  this->SortedTiles = 0;
   this->QuickSortStage.Release();
   this->SortStage.Release();
   for (vtkOITScreenStage& stage : this->ShortSortStages)
@@ -109,6 +110,7 @@ vtkOITFailure vtkOITABufferResolver::Resolve(const vtkOITFrame& frame, vtkOITFra
 }
 
 //------------------------------------------------------------------------------
+// The pixels that the networks have left.
 vtkOITFailure vtkOITABufferResolver::DrawWhatIsLeft(
   const vtkOITFrame& frame, vtkOITFragmentStore& store, vtkOITFragmentStore::Counters& counters)
 {
@@ -190,8 +192,8 @@ vtkOITFailure vtkOITABufferResolver::SortLists(const vtkOITFrame& frame,
 {
   const std::uint32_t longest = *std::max_element(counters.Tiles.begin(), counters.Tiles.end());
   glMemoryBarrier(Barriers);
-  const bool isQuick = this->TileStages.SortsQuickly(
-    tileClass == AllTiles ? store.GetTileGrid().GetNumberOfTiles() : counters.MarkedTiles);
+  this->SortedTiles +=
+    tileClass == AllTiles ? store.GetTileGrid().GetNumberOfTiles() : counters.MarkedTiles;
   vtkOpenGLState* state = frame.GLState;
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE); // Sort has no output
   vtkOITFailure failure;
@@ -202,6 +204,8 @@ vtkOITFailure vtkOITABufferResolver::SortLists(const vtkOITFrame& frame,
   }
   if (static_cast<int>(longest) >= tileClass[0])
   {
+    const bool isQuick =
+      !this->TileStages.CompileAtOnce() && this->SortedTiles <= vtkOITTileStages::TilesToCompile;
     const int runSize = isQuick ? OIT_SHORT_RUN : OIT_RUN_SIZE;
     vtkOITScreenStage& stage = isQuick ? this->QuickSortStage : this->SortStage;
     for (const auto& widths : PlanSort(static_cast<int>(longest), runSize))

@@ -73,7 +73,6 @@ private:
   using TileDraw = vtkOITTileStages::Draw;
   vtkOITFailure DrawExpected(
     const vtkOITFrame& frame, const vtkOITFragmentStore& store, const std::vector<TileDraw>& draws);
-  /// The pixels that networks have left.
   vtkOITFailure DrawWhatIsLeft(
     const vtkOITFrame& frame, vtkOITFragmentStore& store, vtkOITFragmentStore::Counters& counters);
   vtkOITFailure SortLists(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
@@ -98,6 +97,7 @@ private:
   vtkOITDepthComplexityMap DepthComplexity;
   vtkOITScreenStage CountStage;
   vtkOITTileStages TileStages;
+  std::int64_t SortedTiles = 0; // with lists that networks left
   vtkOITScreenStage QuickSortStage;
   vtkOITScreenStage SortStage;
   /// The same for tiles with short lists only, with less to do.

@@ -9,10 +9,6 @@
 
 namespace
 {
-// Tiles that Walk has drawn before the network for them is compiled: on llvmpipe that takes as long as the
-// network saves on 2500 tiles full of the longest lists, or 15000 of isosurfaces, whatever its size.
-constexpr std::int64_t TilesToCompile = 4000;
-
 bool IsOne(const char* value)
 {
   return value && std::strcmp(value, "1") == 0;
@@ -29,7 +25,6 @@ vtkOITTileStages::vtkOITTileStages()
 void vtkOITTileStages::Release()
 {
   this->Walked = {};
-  this->SortedTiles = 0;
   for (vtkOITScreenStage& stage : this->ResolveStages)
   {
     stage.Release();
@@ -110,11 +105,4 @@ vtkOITTileStages::Draw vtkOITTileStages::FindSecondChance(const vtkOITABufferSha
   const bool hasNetwork = this->SecondChanceStage.IsPrepared();
   return { hasNetwork ? &this->SecondChanceStage : &this->WalkStage, {},
     [&shaders, hasNetwork] { return hasNetwork ? shaders.GetSecondChance() : shaders.GetWalk(); } };
-}
-
-//------------------------------------------------------------------------------
-bool vtkOITTileStages::SortsQuickly(std::int64_t tiles)
-{
-  this->SortedTiles += tiles;
-  return !this->CompilesAtOnce && this->SortedTiles <= TilesToCompile;
 }

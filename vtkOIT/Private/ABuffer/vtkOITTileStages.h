@@ -32,6 +32,10 @@ public:
     std::function<std::string()> GetFragmentShader;
   };
 
+  /// Tiles that Walk has drawn before the network for them is compiled: on llvmpipe that takes as long as the
+  /// network saves on 2500 tiles full of the longest lists, or 15000 of isosurfaces, whatever its size.
+  static constexpr std::int64_t TilesToCompile = 4000;
+
   bool CompileAtOnce() const { return this->CompilesAtOnce; }
 
   /// The draws of tiles with these lengths of lists. `shaders` must outlive them.
@@ -40,9 +44,6 @@ public:
 
   /// Of tiles with longer lists than expected; their class is not set.
   Draw FindSecondChance(const vtkOITABufferShaders& shaders);
-
-  /// Whether so many tiles more whose lists are sorted in memory are too few for Sort's own network.
-  bool SortsQuickly(std::int64_t tiles);
 
   void Release();
 
@@ -58,7 +59,6 @@ private:
   vtkOITScreenStage SecondChanceStage;
   vtkOITScreenStage WalkStage;
   std::array<std::int64_t, Classes> Walked{}; // tiles of each class that Walk has drawn
-  std::int64_t SortedTiles = 0;
   const bool CompilesAtOnce;
 };
 

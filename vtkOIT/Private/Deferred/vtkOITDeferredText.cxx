@@ -114,6 +114,14 @@ bool vtkOITDeferredText::CanDefer(vtkAbstractMapper* mapper, vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
+bool vtkOITDeferredText::IsReflecting(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  vtkProperty* back = actor ? actor->GetBackfaceProperty() : nullptr;
+  return !actor || actor->GetProperty()->GetSpecular() > 0.0 || (back && back->GetSpecular() > 0.0);
+}
+
+//------------------------------------------------------------------------------
 void vtkOITDeferredText::Before(
   std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) const
 {
@@ -125,7 +133,6 @@ void vtkOITDeferredText::Before(
 }
 
 //------------------------------------------------------------------------------
-// Shaders that move fragments do so without moving the position that VTK would light.
 void vtkOITDeferredText::After(std::string& fragmentShader) const
 {
   if (!Has(fragmentShader, Mark))

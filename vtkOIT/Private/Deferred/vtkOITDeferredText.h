@@ -27,6 +27,9 @@ public:
   /// Whether a prop may be lit later: not with physically based rendering, shader replacements, other
   /// passes that change its shaders, points and lines of some width, or mappers that are not known.
   static bool CanDefer(vtkAbstractMapper* mapper, vtkProp* prop);
+
+  /// Whether a prop may have specular light.
+  static bool IsReflecting(vtkProp* prop);
 };
 
 #endif

@@ -210,7 +210,7 @@ void vtkOITLights::Unbind(vtkOpenGLState* state, int textureUnit) const
 
 //------------------------------------------------------------------------------
 void vtkOITLights::SetUniforms(
-  vtkShaderProgram* program, const vtkOITFrame& frame, int textureUnit) const
+  vtkShaderProgram* program, const vtkOITFrame& frame, int textureUnit, int x, int y) const
 {
   auto* camera = vtkOpenGLCamera::SafeDownCast(frame.Renderer->GetActiveCamera());
   vtkMatrix4x4* toView = nullptr;
@@ -221,7 +221,7 @@ void vtkOITLights::SetUniforms(
   vtkNew<vtkMatrix4x4> fromClip;
   vtkMatrix4x4::Invert(toClip, fromClip); // both are transposed, as GL has them
   const vtkOITRectangle& v = frame.Viewport;
-  const float map[4] = { static_cast<float>(v.X), static_cast<float>(v.Y),
+  const float map[4] = { static_cast<float>(v.X - x), static_cast<float>(v.Y - y),
     2.0f / static_cast<float>(v.Width), 2.0f / static_cast<float>(v.Height) };
   program->SetUniformMatrix("oitFromClip", fromClip);
   program->SetUniform4f("oitViewportMap", map);

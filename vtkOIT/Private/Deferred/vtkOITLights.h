@@ -37,8 +37,10 @@ public:
   void Bind(vtkOpenGLState* state, int textureUnit) const;
   void Unbind(vtkOpenGLState* state, int textureUnit) const;
 
-  /// Sets the uniforms of a program that includes vtkOITDeferredLightFS.glsl.
-  void SetUniforms(vtkShaderProgram* program, const vtkOITFrame& frame, int textureUnit) const;
+  /// Sets the uniforms of a program that includes vtkOITDeferredLightFS.glsl, and whose fragment
+  /// (0, 0) is the pixel (x, y) of the framebuffer.
+  void SetUniforms(vtkShaderProgram* program, const vtkOITFrame& frame, int textureUnit, int x = 0,
+    int y = 0) const;
 
   std::int64_t GetSizeInBytes() const { return this->Capacity; }
 

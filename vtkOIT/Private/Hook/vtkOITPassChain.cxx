@@ -21,12 +21,20 @@ bool IsTranslucentPassOfVTK(vtkRenderPass* pass)
   return vtkTranslucentPass::SafeDownCast(pass) || vtkDepthPeelingPass::SafeDownCast(pass) ||
     vtkOrderIndependentTranslucentPass::SafeDownCast(pass);
 }
+
+/// ParaView's classes, known by name: no library of its is loaded elsewhere. The second one composites
+/// what the ranks of a server have drawn by the first.
+bool IsRendererItself(vtkRenderPass* pass)
+{
+  return pass->IsA("vtkPVDefaultPass") || pass->IsA("vtkIceTCompositePass");
+}
 }
 
 //------------------------------------------------------------------------------
 bool vtkOITPassChain::Put(vtkRenderPass* chain, vtkRenderPass* pass)
 {
   this->IsIn = false;
+  this->AsksRenderer = false;
   this->Fill(chain, pass, 0, {});
   return this->IsIn;
 }
@@ -95,5 +103,9 @@ void vtkOITPassChain::Visit(vtkRenderPass* chain, vtkRenderPass* pass, int depth
   {
     this->Fill(ssaa->GetDelegatePass(), pass, depth,
       [owner, ssaa](vtkRenderPass* content) { ssaa->SetDelegatePass(content); });
+  }
+  else if (IsRendererItself(chain))
+  {
+    this->AsksRenderer = true;
   }
 }

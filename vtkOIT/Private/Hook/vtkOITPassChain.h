@@ -24,6 +24,10 @@ public:
   /// then, whoever has put it there.
   bool Put(vtkRenderPass* chain, vtkRenderPass* pass);
 
+  /// Whether the chain of the last Put() has a pass that lets the renderer draw by itself, as those of
+  /// ParaView do: then its own slot for depth peeling is asked.
+  bool LeadsToRenderer() const { return this->AsksRenderer; }
+
   /// The slots get back what they had.
   void GiveBack();
 
@@ -39,6 +43,7 @@ private:
   };
   std::vector<Slot> Slots; // that were filled
   bool IsIn = false;
+  bool AsksRenderer = false;
 };
 
 #endif

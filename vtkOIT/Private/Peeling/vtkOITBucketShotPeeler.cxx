@@ -4,7 +4,6 @@
 
 #include "Private/Frame/vtkOITFrame.h"
 #include "Private/Frame/vtkOITSettings.h"
-#include "glsl/Common/vtkOITConstants.h"
 
 #include "vtkOITBucketColorsFS.h"
 #include "vtkOITBucketDepthFS.h"
@@ -18,45 +17,41 @@
 #include "vtkOITFullScreenVS.h"
 
 #include "vtkActor.h"
+#include "vtkDataSet.h"
 #include "vtkMapper.h"
 #include "vtkOpenGLState.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
 
-#include <vector>
+#include <algorithm>
+#include <string>
 
 namespace
 {
 constexpr int Buffers = 8; // draw buffers, as in the paper
 constexpr int LayersOfTable = 4;
 
-/// Of the place in a bucket. With one opacity for all, what opacities take goes to them.
-///@{
-constexpr int Keys = 7;
-constexpr int MoreKeys = 112;
-///@}
+constexpr std::size_t MostOpacities = 16; // that have numbers
 
-/// Whether no fragment has another opacity than the others, as far as the props tell.
-bool HaveSameOpacity(const std::vector<vtkProp*>& props)
+bool HasScalars(vtkMapper* mapper)
 {
-  double opacity = -1.0;
-  for (vtkProp* prop : props)
-  {
-    auto* actor = vtkActor::SafeDownCast(prop);
-    if (!actor || !actor->GetMapper() || actor->GetMapper()->GetScalarVisibility() ||
-      actor->GetTexture() || actor->GetBackfaceProperty() ||
-      !actor->GetProperty()->GetAllTextures().empty())
-    {
-      return false;
-    }
-    const double mine = actor->GetProperty()->GetOpacity();
-    if (opacity >= 0.0 && mine != opacity)
-    {
-      return false;
-    }
-    opacity = mine;
-  }
-  return true;
+  int cellFlag = 0;
+  return mapper->GetScalarVisibility() && mapper->GetInput() &&
+    vtkAbstractMapper::GetAbstractScalars(mapper->GetInput(), mapper->GetScalarMode(),
+      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cellFlag);
+}
+
+/// Whether all fragments of an actor have the opacity of its property: nothing else is known to say so, as
+/// arrays, textures, blocks, splats and shaders of the user's may have others.
+bool HasOneOpacity(vtkActor* actor)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  return mapper && mapper->GetClassName() == std::string("vtkOpenGLPolyDataMapper") &&
+    !HasScalars(mapper) && !actor->GetTexture() && !actor->GetBackfaceProperty() &&
+    actor->GetProperty()->GetAllTextures().empty() &&
+    !actor->GetShaderProperty()->HasFragmentShaderCode() &&
+    actor->GetShaderProperty()->GetNumberOfShaderReplacements() == 0;
 }
 }
 
@@ -71,7 +66,7 @@ void vtkOITBucketShotPeeler::Prepare(const vtkOITFrame& frame, const vtkOITSetti
   this->HasExactRange = settings.HasExactDepthRange;
   this->FloatColor = settings.FloatColor;
   this->ClampsColor = frame.Target.ClampsColor;
-  this->NumberOfKeys = HaveSameOpacity(frame.Props) ? MoreKeys : Keys;
+  this->NumberOpacities(frame.Props);
   this->Interval = vtkOITEyeDepthInterval::Find(frame);
   vtkOITShaderText text(
     { vtkOITFragmentFS, vtkOITBucketDepthFS, vtkOITBucketWordsFS, vtkOITBucketShotGatherFS });
@@ -82,6 +77,45 @@ void vtkOITBucketShotPeeler::Prepare(const vtkOITFrame& frame, const vtkOITSetti
     this->Release();
     this->InPlace = inPlace;
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkOITBucketShotPeeler::NumberOpacities(const std::vector<vtkProp*>& props)
+{
+  this->Opacities.clear();
+  this->OpacityNumbers.clear();
+  for (vtkProp* prop : props)
+  {
+    auto* actor = vtkActor::SafeDownCast(prop);
+    if (!actor || !HasOneOpacity(actor))
+    {
+      this->Opacities.clear();
+      return;
+    }
+    const auto opacity = static_cast<float>(actor->GetProperty()->GetOpacity());
+    const auto found = std::find(this->Opacities.begin(), this->Opacities.end(), opacity);
+    this->OpacityNumbers[prop] = static_cast<int>(found - this->Opacities.begin());
+    if (found == this->Opacities.end())
+    {
+      this->Opacities.push_back(opacity);
+    }
+    if (this->Opacities.size() > MostOpacities)
+    {
+      this->Opacities.clear();
+      return;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOITBucketShotPeeler::SetOpacityBits(vtkShaderProgram* program) const
+{
+  int bits = 0;
+  while ((std::size_t(1) << bits) < this->Opacities.size())
+  {
+    ++bits;
+  }
+  program->SetUniformi("oitOpacityBits", this->Opacities.empty() ? 4 : bits);
 }
 
 //------------------------------------------------------------------------------
@@ -208,7 +242,13 @@ vtkOITFailure vtkOITBucketShotPeeler::Resolve(const vtkOITPeelContext& context)
     [&](vtkShaderProgram* program)
     {
       program->SetUniformi("oitStage", this->Stage);
-      program->SetUniformi("oitKeys", this->NumberOfKeys);
+      this->SetOpacityBits(program);
+      program->SetUniformi("oitHasOpacityNumbers", this->Opacities.empty() ? 0 : 1);
+      if (!this->Opacities.empty() && program->IsUniformUsed("oitOpacities"))
+      {
+        program->SetUniform1fv(
+          "oitOpacities", static_cast<int>(this->Opacities.size()), this->Opacities.data());
+      }
       this->Buckets.Bind(gl, OIT_UNIT_GATHERED);
       program->SetUniformi("oitShot", OIT_UNIT_GATHERED);
       if (isAdaptive)
@@ -241,12 +281,15 @@ vtkOITFailure vtkOITBucketShotPeeler::Peel(const vtkOITPeelContext& context, int
 
 //------------------------------------------------------------------------------
 void vtkOITBucketShotPeeler::SetUniforms(
-  vtkShaderProgram* program, vtkProp*, const vtkOITPeelContext& context)
+  vtkShaderProgram* program, vtkProp* prop, const vtkOITPeelContext& context)
 {
   context.State.BindFor(program);
   this->Interval.SetUniforms(program);
   program->SetUniformi("oitStage", this->Stage);
-  program->SetUniformi("oitKeys", this->NumberOfKeys);
+  this->SetOpacityBits(program);
+  const auto found = this->OpacityNumbers.find(prop);
+  const bool hasNumber = !this->Opacities.empty() && found != this->OpacityNumbers.end();
+  program->SetUniformi("oitOpacityNumber", hasNumber ? found->second : -1);
   if (this->UsedDivision == Division::Adaptive)
   {
     // What is drawn into is not bound: the table stands in for the buckets while these are.

@@ -5,6 +5,10 @@
 
 #include "Private/Frame/vtkOITEyeDepthInterval.h"
 #include "Private/Peeling/vtkOITPeeler.h"
+#include "glsl/Common/vtkOITConstants.h"
+
+#include <map>
+#include <vector>
 
 /**
  * The single shot of bucket depth peeling (Liu, Huang, Liu and Wu 2009): one geometry pass keeps a
@@ -23,7 +27,7 @@ public:
   vtkOITFailure Begin(const vtkOITPeelContext& context) override;
   vtkOITFailure Peel(const vtkOITPeelContext& context, int number) override;
   /// What was not kept is lost, and counted.
-  vtkOITFailure PeelRest(const vtkOITPeelContext&) override { return {}; }
+  bool IsDone() const override { return this->Stage != OIT_SHOT_RANGE; }
 
   vtkOITGather& GetGather() override { return this->Gather; }
   void SetUniforms(
@@ -38,6 +42,8 @@ private:
     Adaptive // as many as a pixel has fragments, up to 32
   };
 
+  void NumberOpacities(const std::vector<vtkProp*>& props);
+  void SetOpacityBits(vtkShaderProgram* program) const;
   void Define(vtkOITShaderText& text) const;
   vtkOITFailure GatherStage(const vtkOITPeelContext& context, int stage);
   vtkOITFailure DivideBuckets(const vtkOITPeelContext& context);
@@ -47,9 +53,10 @@ private:
   bool HasExactRange = false;
   bool FloatColor = false;
   bool ClampsColor = false;
-  bool InPlace = false; // of ResolveStage's program
-  int Stage = 0;        // of the geometry pass
-  int NumberOfKeys = 0; // that tell places in a bucket apart
+  bool InPlace = false;         // of ResolveStage's program
+  int Stage = OIT_SHOT_RANGE;   // of the geometry pass
+  std::vector<float> Opacities; // of the frame, if each prop has one; otherwise empty
+  std::map<vtkProp*, int> OpacityNumbers;
   vtkOITGather Gather;
   vtkOITEyeDepthInterval Interval;
 

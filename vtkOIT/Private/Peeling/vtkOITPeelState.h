@@ -106,6 +106,9 @@ public:
   /// too: it is attached then, and not written.
   void SetDepthTest(vtkShaderProgram* program, bool always) const;
 
+  /// The pixel of the framebuffer that is texel (0, 0), and the texels.
+  int GetX() const { return this->Storage.X; }
+  int GetY() const { return this->Storage.Y; }
   int GetWidth() const { return this->Storage.Width; }
   int GetHeight() const { return this->Storage.Height; }
   /// The texture array that Resolve has written last.

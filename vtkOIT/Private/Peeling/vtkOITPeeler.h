@@ -79,6 +79,9 @@ public:
   virtual bool HasAll() const { return false; }
   virtual vtkOITFailure Composite(const vtkOITPeelContext&) { return {}; }
 
+  /// After a peel: it was the last one, whatever the bounds of pixels say.
+  virtual bool IsDone() const { return false; }
+
   /// The stage of the geometry pass that comes next.
   virtual vtkOITGather& GetGather() = 0;
   /// Of a program of the gather, before each draw of a prop during RenderGeometry().

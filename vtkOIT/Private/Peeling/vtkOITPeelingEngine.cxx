@@ -255,6 +255,12 @@ vtkOITFailure vtkOITPeelingEngine::PeelBand(
       end = { 1, true };
       return {};
     }
+    if (!failure && peeler.IsDone())
+    {
+      task.Statistics.NumberOfPeels += static_cast<int>(peels) + 1;
+      end = {};
+      return {};
+    }
     if (!failure)
     {
       failure = this->State.Mask(peels);

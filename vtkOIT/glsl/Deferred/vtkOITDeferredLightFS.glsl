@@ -17,6 +17,17 @@ uniform int oitIsHeadlight;  // the only light is one at the camera
 uniform vec4 oitViewportMap; // origin in pixels, and clip coordinates a pixel
 uniform mat4 oitFromClip;    // clip coordinates to view coordinates
 
+struct OITMaterial
+{
+  vec3 Ambient;
+  vec3 Diffuse;
+  vec3 Specular;
+  float Power;
+  vec3 Normal; // of length 1
+  bool IsLit;
+};
+
+#ifdef OIT_DEFERRED // nodes of the A-buffer
 OITMaterial oitUnpackMaterial(uvec2 first, uvec4 second)
 {
   vec4 d = oitUnpack(second.xy);
@@ -30,6 +41,7 @@ OITMaterial oitUnpackMaterial(uvec2 first, uvec4 second)
   m.IsLit = first.y != OIT_UNLIT;
   return m;
 }
+#endif
 
 vec3 oitFindPosition(float depth)
 {

@@ -12,16 +12,6 @@
 
 const uint OIT_UNLIT = 0xffffffffu; // no normal: coordinates are at most 65534
 
-struct OITMaterial
-{
-  vec3 Ambient;
-  vec3 Diffuse;
-  vec3 Specular;
-  float Power;
-  vec3 Normal; // of length 1
-  bool IsLit;
-};
-
 uint oitPackNormal(vec3 n)
 {
   n /= abs(n.x) + abs(n.y) + abs(n.z);

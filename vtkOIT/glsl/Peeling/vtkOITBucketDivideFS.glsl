@@ -18,6 +18,11 @@ layout(location = 3) out vec4 oitTable3;
 
 void main()
 {
+  float fragments = texelFetch(oitShot, ivec3(gl_FragCoord.xy, 6), 0).a;
+  if (fragments == 0.0)
+  {
+    discard; // nobody asks
+  }
   float channels[24];
   float counts[12];
   vec4 buffer;
@@ -33,7 +38,6 @@ void main()
       counts[2 * i] = buffer.a - counts[2 * i + 1] * float(OIT_COUNT_BASE);
     }
   }
-  float fragments = texelFetch(oitShot, ivec3(gl_FragCoord.xy, 6), 0).a;
 
   int known = 0;   // depths
   int between = 0; // fragments, where there are several in a bucket

@@ -142,6 +142,15 @@ void main()
   last = next < farthest ? next : last;
 #endif
   oitState5.xyz = oitDivide(last, farthest, oitState5.w - slotted);
+  if (nearest > farthest && oitRest == 0)
+  {
+    // Counted by the first peel, and not found again: a fragment has another depth in each draw.
+    float missing = max(oitState5.w, 0.0);
+    oitState1.w += missing;
+    oitNoteError(min(missing, 1.0));
+  }
   oitSetBounds(nearest, farthest);
-  oitState4 = oitState2.x <= oitState2.y ? oitState4 : OIT_NO_BOUNDS.xxxy;
+  bool isAlive = oitState2.x <= oitState2.y;
+  oitState4 = isAlive ? oitState4 : OIT_NO_BOUNDS.xxxy;
+  oitState5.w = isAlive ? oitState5.w : 0.0; // not in place, finished pixels come here again
 }

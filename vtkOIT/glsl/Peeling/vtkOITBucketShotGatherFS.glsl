@@ -65,9 +65,10 @@ void main()
   vec4 sums = mix(vec4(0.0), vec4(count), equal(ivec4(0, 1, 2, 3), ivec4(bucket / 2)));
   vec4 moreSums = vec4(bucket / 2 == 4 ? count : 0.0, bucket / 2 == 5 ? count : 0.0, 1.0, opticalDepth);
 #else
-  int key = min(int((position - float(bucket)) * float(oitKeys)), oitKeys - 1);
+  int keys = oitGetNumberOfKeys();
+  int key = min(int((position - float(bucket)) * float(keys)), keys - 1);
   uint shift = oitGetKeyShift();
-  uint nearKey = uint(oitKeys - 1 - key) << shift;
+  uint nearKey = uint(keys - 1 - key) << shift;
   uint bits = oitPackBucket(color);
 #ifdef OIT_PAIRS
   // Of two fragments with one key each channel takes another one.

@@ -37,7 +37,7 @@ void oitLoadBuckets()
     // One fragment has the same colour in both, and the key of one is that of the other from the end.
     uint shift = oitGetKeyShift();
     bool isOne = ((near ^ far) & oitGetColorMask()) == 0u &&
-      (near >> shift) + (far >> shift) == uint(oitKeys - 1);
+      (near >> shift) + (far >> shift) == uint(oitGetNumberOfKeys() - 1);
     oitFar[i] = isEmpty || isOne ? vec4(0.0) : oitUnpackBucket(far);
 #else
     bool isEmpty = channels[i] <= 0.0;
@@ -63,6 +63,12 @@ void main()
     oitSetBounds(-depths.x, depths.y);
     return;
   }
+#ifdef OIT_IN_PLACE
+  if (texelFetch(oitShot, ivec3(gl_FragCoord.xy, 0), 0).a == 0.0)
+  {
+    discard; // no fragments: the state stays as it is
+  }
+#endif
   oitLoadBuckets();
   float fragments = oitSums[0];
   float kept = 0.0;

@@ -65,7 +65,15 @@ void main()
     oitSetBounds(-depths.x, depths.y);
     return;
   }
+  float fragments = texelFetch(oitShot, ivec3(gl_FragCoord.xy, 6), 0).a;
+#ifdef OIT_IN_PLACE
+  if (fragments == 0.0)
+  {
+    discard; // the state stays as it is
+  }
+#endif
   vec4 pixel = texelFetch(oitTable, ivec3(gl_FragCoord.xy, OIT_TABLE_PIXEL), 0);
+  pixel = fragments > 0.0 ? pixel : vec4(1.0, 0.0, 0.0, 0.0); // it has no table
   oitWords = int(pixel.x);
   float filled = 0.0;
   float brightest = 0.0;

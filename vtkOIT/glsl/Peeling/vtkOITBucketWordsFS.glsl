@@ -33,19 +33,29 @@ vec4 oitUnpackCoarse(uint payload, uint largestOpacity)
   return vec4(oitExpand(vec3(bytes) / 255.0), root * root);
 }
 
-// Of buckets: a key above opacity and colour. Where all fragments have the same opacity it needs no bits,
-// and the key has more.
-uniform int oitKeys; // 7, or 112
+// Of buckets: a key above opacity and colour. Where each prop has one opacity, and the frame few, the opacity
+// is its number, and the key has the bits that are left of four.
+uniform int oitOpacityBits;
+uniform int oitOpacityNumber;    // of the prop; -1: the root of the opacity
+uniform float oitOpacities[16];  // those of the frame
+uniform int oitHasOpacityNumbers;
 
-uint oitGetKeyShift() { return oitKeys > 7 ? 24u : 28u; }
+int oitGetNumberOfKeys() { return 7 << (4 - oitOpacityBits); }
+uint oitGetKeyShift() { return 24u + uint(oitOpacityBits); }
 uint oitGetColorMask() { return (1u << oitGetKeyShift()) - 1u; }
 
-uint oitPackBucket(vec4 color) { return oitPackCoarse(color, 15u) & oitGetColorMask(); }
+uint oitPackBucket(vec4 color)
+{
+  uint coarse = oitPackCoarse(color, 15u);
+  uint numbered = (uint(max(oitOpacityNumber, 0)) << 24u) | (coarse & 0xffffffu);
+  return oitOpacityNumber >= 0 ? numbered : coarse;
+}
 
 vec4 oitUnpackBucket(uint payload)
 {
   vec4 color = oitUnpackCoarse(payload & oitGetColorMask(), 15u);
-  return vec4(color.rgb, oitKeys > 7 ? 0.5 : color.a);
+  int number = int((payload & oitGetColorMask()) >> 24u);
+  return vec4(color.rgb, oitHasOpacityNumbers != 0 ? oitOpacities[number] : color.a);
 }
 
 // 15 bits each.

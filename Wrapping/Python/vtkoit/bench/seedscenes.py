@@ -55,8 +55,11 @@ def planes(number):
 
 
 def _level(renderer):
-    camera.place(renderer)
-    renderer.GetActiveCamera().Elevation(8.0)
+    """Looks from the height of the scene's middle."""
+    view = renderer.GetActiveCamera()
+    view.SetPosition(0.4, 0.55, 6.0)
+    view.SetFocalPoint(0.0, 0.5, 0.0)
+    view.SetViewAngle(24.0)
     renderer.ResetCameraClippingRange()
 
 
@@ -86,19 +89,19 @@ def _leaves(centers, half, sideways):
 
 def _grass():
     random = numpy.random.RandomState(6)
-    centers = random.uniform((-1, 0, -1), (1, 0.1, 1), (QUADS, 3))
-    return _leaves(centers, 0.16, random.uniform(-0.6, 0.6, QUADS))
+    centers = random.uniform((-1, 0.4, -1), (1, 0.6, 1), (QUADS, 3))
+    return _leaves(centers, 0.26, random.uniform(-0.6, 0.6, QUADS))
 
 
 def _tree():
     random = numpy.random.RandomState(7)
     direction = random.normal(size=(QUADS, 3))
     centers = direction / numpy.linalg.norm(direction, axis=1, keepdims=True) * \
-        random.uniform(0.2, 1.0, (QUADS, 1)) ** 0.5
-    return _leaves(centers, 0.24, random.uniform(-1.5, 1.5, QUADS))
+        random.uniform(0.2, 1.0, (QUADS, 1)) ** 0.5 + (0.0, 0.5, 0.0)
+    return _leaves(centers, 0.28, random.uniform(-1.5, 1.5, QUADS))
 
 
-def _column(x, z, radius=0.04, height=1.0, sides=20, rings=4):
+def _column(x, z, radius=0.04, height=1.0, sides=10, rings=4):
     angles = numpy.linspace(0, 2 * math.pi, sides, endpoint=False)
     points = [(x + radius * math.cos(a), height * ring / rings, z + radius * math.sin(a))
               for ring in range(rings + 1) for a in angles]
@@ -117,12 +120,12 @@ def _wall(start, end, height=1.0, steps=12):
 
 
 def _courtyard():
-    """Two rows of columns on each side, and walls in front of and behind them."""
+    """Four rows of columns on each side, and walls in front of and behind them."""
     sides = numpy.linspace(-1, 1, 11)
-    columns = [_column(x, z) for distance in (0.8, 1.0) for t in sides
+    columns = [_column(x, z) for distance in (0.5, 0.7, 0.9, 1.1) for t in sides
                for x, z in ((t, distance), (t, -distance), (distance, t), (-distance, t))]
     walls = []
-    for distance in (0.6, 1.2):
+    for distance in (0.4, 1.2):
         d = distance
         walls += [_wall((-d, -d), (d, -d)), _wall((d, -d), (d, d)), _wall((d, d), (-d, d)),
                   _wall((-d, d), (-d, -d))]
@@ -131,7 +134,8 @@ def _courtyard():
 
 def _cathedral():
     """A nave between four rows of columns, two walls on each side, and a dome of two shells."""
-    columns = [_column(x, z, 0.05) for x in (-0.6, -0.3, 0.3, 0.6) for z in numpy.linspace(-1.5, 1.5, 14)]
+    columns = [_column(x, z, 0.05, sides=14) for x in (-0.6, -0.3, 0.3, 0.6)
+               for z in numpy.linspace(-1.5, 1.5, 18)]
     walls = [_wall((x, -1.6), (x, 1.6)) for x in (-0.9, -0.8, 0.8, 0.9)] + \
         [_wall((-0.9, z), (0.9, z)) for z in (-1.6, 1.6)]
     dome = [sphere((0, 1.1, 0), radius, 36) for radius in (0.5, 0.55)]
