@@ -40,6 +40,7 @@ try_package()
 }
 
 cd "$root"
+mkdir -p "$MESA_SHADER_CACHE_DIR"
 case "${1:-} ${2:-}" in
   '--here ')
     build
