@@ -7,7 +7,7 @@ import numpy
 
 from ..errors import Error, capture
 from ..picture import grab
-from . import accuracy, rounds, scans, seedscenes, truth
+from . import accuracy, lights, rounds, scans, seedscenes, truth
 from .measure import REFERENCE
 from .stage import Stage
 
@@ -19,6 +19,7 @@ BUCKETS = ("bucket", "bucket-pairs", "bucket-adaptive")
 DUAL = "dual:FragmentPrecision=float,TransmittanceThreshold=0"
 PEEL = "peel:TransmittanceThreshold=0"
 LAYERS = (1, 2, 4, 8, 16)
+LIGHTS_SIZE = (240, 135)  # of their proportions
 OPACITIES = ((0.1,), (0.2,), (0.3,), (0.6,), (0.9,), (0.2, 0.5, 0.8))
 
 
@@ -33,6 +34,7 @@ def measure(size, settings, quick, progress):
         "dual": [study.dual(number) for number in LAYERS[:2] + LAYERS[2:][some]],
         "weighted": [study.weighted(opacities) for opacities in OPACITIES[some]],
         "peels": [study.peels(seedscenes.dragons())],
+        "lights": [study.lights(overlap, 2 if quick else 4) for overlap in ("little", "much")[some]],
     }
 
 
@@ -107,6 +109,13 @@ class Study:
         right = truth.find(stage, cross_check=False)
         return {"opacities": list(opacities), "layers": right.layers, "methods": {
             name: _errors(stage, name, right) for name in ("weighted-average", "weighted-sum")}}
+
+    def lights(self, overlap, count):
+        """Deferred depth peeling by passes and lights; count: int, of either."""
+        self.progress.show("lights, %s overlap" % overlap)
+        passes, numbers = lights.PASSES[:count], lights.LIGHTS[:count]
+        here = lights.passes_by_lights(overlap, passes, numbers, size=LIGHTS_SIZE)
+        return {"overlap": overlap, "passes": passes, "lights": numbers, "here": here}
 
     def peels(self, scene):
         """What depth peeling and dual depth peeling change from peel to peel, dict."""
