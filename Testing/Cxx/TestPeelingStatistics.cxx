@@ -32,7 +32,7 @@ constexpr int Height = 16;
 /// The largest number of geometry passes for N layers without collisions or coincident fragments.
 int GetLargestNumberOfPasses(const Setup& setup, vtkOITPass* pass, int layers)
 {
-  if (setup.Method == "peel")
+  if (setup.Method == "peel" || setup.Method == "deferred")
   {
     return layers + 1;
   }

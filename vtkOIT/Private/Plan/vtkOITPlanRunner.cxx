@@ -42,8 +42,15 @@ void vtkOITPlanRunner::Run(const vtkOITPlan& plan, const vtkOITSettings& setting
     if (!group.Frame.Props.empty() && !group.Frame.Rectangle.IsEmpty() &&
       !(isStill && this->Reuse(group.Frame, ofGroup)))
     {
-      const vtkOITOrder order =
-        plan.FindOrder ? plan.FindOrder(group.Frame) : vtkOITOrder{ { { {}, group.Frame } } };
+      vtkOITOrder order;
+      if (plan.FindOrder)
+      {
+        order = plan.FindOrder(group.Frame);
+      }
+      else
+      {
+        order.Batches.push_back({ {}, group.Frame });
+      }
       this->Draw({ group.Frame, order, settings, geometry, saved, ofGroup }, isStill);
     }
     statistics.Add(ofGroup);
