@@ -174,7 +174,8 @@ class TestScenes(unittest.TestCase):
         self.assertEqual([s.name for s in catalogue.choose(["layers-?", "hull", "layers-4"])],
                          ["layers-1", "layers-2", "layers-4", "layers-8", "hull"])
         self.assertEqual(len(catalogue.choose(None, True)), len(catalogue.QUICK))
-        self.assertEqual(len(catalogue.choose(["volumes"])), len(clouds.VARIANTS) * len(clouds.LAYERS))
+        self.assertEqual(len(catalogue.choose(["volumes"])), len(clouds.VARIANTS) * len(clouds.LAYERS)
+                         + len(clouds.OUTSIDE) * len(clouds.OUTSIDE_LAYERS))
         self.assertEqual([s.name for s in catalogue.choose(["volumes-60"])],
                          ["volumes-60-%d" % n for n in clouds.LAYERS]
                          + ["volumes-60-shaded-%d" % n for n in clouds.LAYERS])
