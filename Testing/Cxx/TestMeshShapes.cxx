@@ -307,7 +307,8 @@ void CheckProofs(Report& report)
   vtkNew<vtkPoints> points;
   for (int i = 0; i < 5; ++i)
   {
-    points->InsertNextPoint(i % 2, i / 2, 0.3 * (i % 3));
+    const int row = i / 2;
+    points->InsertNextPoint(i % 2, row, 0.3 * (i % 3));
   }
   vtkNew<vtkCellArray> polys;
   polys->InsertNextCell({ 0, 1, 2 });
