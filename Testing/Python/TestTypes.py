@@ -66,8 +66,8 @@ class TestTypes(Support.FolderTest):
             file.write("[mypy]\nignore_missing_imports = True\n")
         done = self.check("stubtest", "--ignore-missing-stub", "--concise", "--mypy-config-file", "mypy.ini", "vtkoit")
         # Static methods of VTK's wrappers are functions of C; submodules without a stub are their own. What is
-        # for PyVista is imported where that is.
-        allowed = re.compile("stub is a staticmethod but|No module named 'pyvista'")
+        # for PyVista is imported where that is. Constructors of VTK 9.6 say that they take anything.
+        allowed = re.compile("stub is a staticmethod but|No module named 'pyvista'|__init__ is inconsistent, stub does not have \\*")
         found = [line for line in done.stdout.splitlines()
                  if re.match(r"vtkoit\.(\w+|vtkOIT\w*\..*) ", line) and not allowed.search(line)]
         self.assertEqual(found, [])

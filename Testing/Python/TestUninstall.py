@@ -25,7 +25,7 @@ class TestUninstall(Support.FolderTest):
     def test_uninstall(self):
         if not shutil.which("cmake"):
             self.skipTest("no cmake in PATH")
-        prefix = self.path("prefix")
+        prefix = self.path("vtkoit/prefix")  # below a folder that has our name by chance
         for name in INSTALLED + COMPILED + OTHERS:
             os.makedirs(os.path.dirname(os.path.join(prefix, name)), exist_ok=True)
             with open(os.path.join(prefix, name), "w", encoding="utf-8"):
