@@ -265,7 +265,9 @@ class TestVolumeFeatures(unittest.TestCase):
         expected = over(front, over(LAYER, back))
         self.assertGreater(numpy.abs(expected - over(whole, LAYER)).max(), 10)  # the order is seen
         found = self.draw(way, camera, [volume(), actor_of(PLANE)])
-        self.assertLessEqual(numpy.abs(found - expected).max(), alone + ROUNDING, "alone %.2f" % alone)
+        # Jittered, the samples of both halves and of the whole each lie elsewhere by chance: by up to 29 steps in VTK 9.6.
+        allowed = alone * (2 if edit is jittered else 1) + ROUNDING
+        self.assertLessEqual(numpy.abs(found - expected).max(), allowed, "alone %.2f" % alone)
 
     def test_features(self):
         for name, edit in FEATURES.items():
