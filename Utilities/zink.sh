@@ -36,11 +36,12 @@ build/bin/vtkoit info 2>/dev/null | grep -q '^renderer *zink' ||
 
 # What depends on framebuffer fetch, interlock, blending or depth formats:
 #   colours and depths of fragments, coincident ones, framebuffers of other formats; opaque geometry
-#   that hides fragments; state of OpenGL left as it was; layers that are kept and reused; samples.
+#   that hides fragments; state of OpenGL left as it was; layers that are kept and reused; samples;
+#   the order of drawing, light, volumes, deferred shading.
 tests='FragmentColors|FragmentDepth|CoincidentLayers|OffscreenFormats|OpaqueOcclusion|GLState'
-tests="$tests|Impostors|Multisampling|Skipping|PeelingStatistics|PeelingEnds|CrossingQuads"
-methods='auto|abuffer|peel|dual|multilayer|bucket'
-[ $# -gt 0 ] || set -- -R "Cxx-Test($tests)-($methods)\$|TestAutoPassReuse|TestAutoPassChoice"
+tests="$tests|LastOnTop|Light|DeferredLights|Impostors|Multisampling|Skipping|PeelingStatistics|PeelingEnds|CrossingQuads"
+methods='auto|abuffer|peel|dual|multilayer|bucket|deferred-abuffer'
+[ $# -gt 0 ] || set -- -R "Cxx-Test($tests)-($methods)\$|TestAutoPassReuse|TestAutoPassChoice|TestVolume(Slabs|Modes|Order)-(auto|abuffer)\$"
 
 if [ -z "$validate" ]; then
   ctest --test-dir build --output-on-failure --no-tests=error --parallel "$(nproc)" \
