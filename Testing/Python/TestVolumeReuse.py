@@ -16,6 +16,7 @@ from TestVolumeFeatures import (
     cropped_to_a_part,
     label_mask,
     make_volume,
+    plain,
     shaded,
     smart_mapper,
     transfer_function_2d,
@@ -77,10 +78,6 @@ def _color_a_label(scene):
     blue = vtkColorTransferFunction()
     blue.AddRGBPoint(0, 0, 0, 1)
     scene.volume.GetProperty().SetLabelColor(2, blue)
-
-
-def plain(_volume):
-    pass
 
 
 # Name: (how the volume is made, what changes).

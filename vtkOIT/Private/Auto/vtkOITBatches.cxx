@@ -3,11 +3,12 @@
 #include "Private/Auto/vtkOITBatches.h"
 
 #include "Private/Auto/vtkOITBlendCost.h"
+#include "Private/Auto/vtkOITDisjointSets.h"
 #include "Private/Auto/vtkOITPartialOrder.h"
 #include "Private/Frame/vtkOITScreenExtents.h"
 
 #include <algorithm>
-#include <numeric>
+#include <iterator>
 
 namespace
 {
@@ -20,29 +21,23 @@ class Clusters
 {
 public:
   explicit Clusters(std::size_t count)
-    : Parents(count)
+    : Sets(count)
     , AreSorted(count, false)
   {
-    std::iota(this->Parents.begin(), this->Parents.end(), std::size_t(0));
   }
-  std::size_t Find(std::size_t i)
-  {
-    while (this->Parents[i] != i)
-    {
-      i = this->Parents[i] = this->Parents[this->Parents[i]];
-    }
-    return i;
-  }
+  std::size_t Find(std::size_t i) { return this->Sets.Find(i); }
   void SetSorted(std::size_t i) { this->AreSorted[this->Find(i)] = true; }
   bool IsSorted(std::size_t i) { return this->AreSorted[this->Find(i)]; }
   void SortTogether(std::size_t a, std::size_t b)
   {
-    this->Parents[this->Find(b)] = this->Find(a);
+    this->Sets.Unite(a, b);
     this->SetSorted(a);
   }
+  /// Then no order matters.
+  bool AreOne() const { return this->Sets.GetNumberOfSets() == 1; }
 
 private:
-  std::vector<std::size_t> Parents;
+  vtkOITDisjointSets Sets;
   std::vector<bool> AreSorted; // of the first of each set
 };
 
@@ -181,13 +176,13 @@ std::vector<vtkOITPartBatch> vtkOITFindBatches(const std::vector<Item*>& props,
 {
   Clusters clusters(props.size());
   std::vector<Pair> pairs;
-  for (std::size_t a = 0; a < props.size(); ++a)
+  for (std::size_t a = 0; a < props.size() && !(a > 0 && clusters.AreOne()); ++a)
   {
     if (needsSorting(*props[a]))
     {
       clusters.SetSorted(a);
     }
-    for (std::size_t b = a + 1; b < props.size(); ++b)
+    for (std::size_t b = a + 1; b < props.size() && !clusters.AreOne(); ++b)
     {
       const Relation relation = props[a]->Compare(*props[b], view);
       if (relation == Relation::Unknown)

@@ -4,6 +4,7 @@
 
 #include "Private/Auto/vtkOITBatches.h"
 #include "Private/Auto/vtkOITBlendCost.h"
+#include "Private/Auto/vtkOITDisjointSets.h"
 #include "Private/Auto/vtkOITPropOrder.h"
 #include "Private/Frame/vtkOITCapabilities.h"
 #include "Private/Frame/vtkOITFrame.h"
@@ -19,7 +20,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
 
 namespace
 {
@@ -69,16 +69,7 @@ std::vector<Island> FindIslands(std::vector<Item>& items)
   const auto getRectangle = [&items](std::size_t i) { return items[i].Extent->Rectangle; };
   std::sort(order.begin(), order.end(),
     [&](std::size_t a, std::size_t b) { return getRectangle(a).X < getRectangle(b).X; });
-  std::vector<std::size_t> parents(items.size());
-  std::iota(parents.begin(), parents.end(), std::size_t(0));
-  const auto findRoot = [&parents](std::size_t i)
-  {
-    while (parents[i] != i)
-    {
-      i = parents[i] = parents[parents[i]];
-    }
-    return i;
-  };
+  vtkOITDisjointSets sets(items.size());
   for (auto a = order.begin(); a != order.end(); ++a)
   {
     const int right = getRectangle(*a).X + getRectangle(*a).Width;
@@ -86,7 +77,7 @@ std::vector<Island> FindIslands(std::vector<Item>& items)
     {
       if (!getRectangle(*a).Intersect(getRectangle(*b)).IsEmpty())
       {
-        parents[findRoot(*b)] = findRoot(*a);
+        sets.Unite(*a, *b);
       }
     }
   }
@@ -95,7 +86,7 @@ std::vector<Island> FindIslands(std::vector<Item>& items)
   {
     if (!items[i].Extent->Rectangle.IsEmpty())
     {
-      byRoot[findRoot(i)].Members.push_back(&items[i]);
+      byRoot[sets.Find(i)].Members.push_back(&items[i]);
     }
   }
   byRoot.erase(std::remove_if(byRoot.begin(), byRoot.end(),

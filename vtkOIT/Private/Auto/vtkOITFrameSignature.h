@@ -16,7 +16,8 @@ struct vtkOITFrame;
  * Everything that the translucent layer of a frame is made from, as numbers, but for the depth of
  * the opaque geometry (vtkOITDepthCheck): camera, viewport, lights, and of each prop the time of
  * its last modification, that of its mapper, data with all blocks, attributes of blocks, lookup
- * table, textures and clipping planes included; the same of the volumes between them. Frames with equal signatures have equal layers.
+ * table, textures and clipping planes included; the same of the volumes between them. Frames with
+ * equal signatures have equal layers.
  */
 class vtkOITFrameSignature
 {

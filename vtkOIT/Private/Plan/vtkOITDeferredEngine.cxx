@@ -14,7 +14,7 @@ vtkOITDeferredEngine::vtkOITDeferredEngine()
 }
 
 //------------------------------------------------------------------------------
-const vtkOITEngine& vtkOITDeferredEngine::Choose(const vtkOITSettings& settings) const
+vtkOITEngine& vtkOITDeferredEngine::Choose(const vtkOITSettings& settings) const
 {
   return *this->All[this->Peels ? (settings.LastOnTop ? 2 : 1) : 0];
 }
@@ -49,8 +49,7 @@ bool vtkOITDeferredEngine::UsesStorage(
 vtkOITFailure vtkOITDeferredEngine::Draw(const vtkOITFrame& frame, const vtkOITSettings& settings,
   vtkOITGeometry& geometry, vtkOITStatistics& statistics)
 {
-  const vtkOITEngine& chosen = this->Choose(settings);
-  vtkOITFailure failure;
+  vtkOITEngine& chosen = this->Choose(settings);
   for (vtkOITEngine* engine : this->All)
   {
     if (engine != &chosen && engine->GetSizeInBytes() > 0)
@@ -58,14 +57,7 @@ vtkOITFailure vtkOITDeferredEngine::Draw(const vtkOITFrame& frame, const vtkOITS
       engine->Release(); // the limit on memory is for all together
     }
   }
-  for (vtkOITEngine* engine : this->All)
-  {
-    if (engine == &chosen)
-    {
-      failure = engine->Draw(frame, settings, geometry, statistics);
-    }
-  }
-  return failure;
+  return chosen.Draw(frame, settings, geometry, statistics);
 }
 
 //------------------------------------------------------------------------------

@@ -33,7 +33,7 @@ public:
   void Release() override;
 
 private:
-  const vtkOITEngine& Choose(const vtkOITSettings& settings) const;
+  vtkOITEngine& Choose(const vtkOITSettings& settings) const;
 
   vtkOITABufferEngine ABuffer;
   vtkOITPeelingEngine Peeling;
