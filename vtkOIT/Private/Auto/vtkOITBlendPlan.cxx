@@ -57,28 +57,44 @@ struct Island
   }
 };
 
-std::vector<Island> FindIslands(std::vector<Item>& items)
+/// A rectangle by its edges: what is compared for each pair lies close together in memory.
+struct Edges
 {
-  std::vector<std::size_t> order;
+  int Left;
+  int Right;
+  int Bottom;
+  int Top;
+  std::size_t Item;
+};
+
+std::vector<Edges> SortFromLeft(const std::vector<Item>& items)
+{
+  std::vector<Edges> sorted;
+  sorted.reserve(items.size());
   for (std::size_t i = 0; i < items.size(); ++i)
   {
-    if (!items[i].Extent->Rectangle.IsEmpty())
+    const vtkOITRectangle& r = items[i].Extent->Rectangle;
+    if (!r.IsEmpty())
     {
-      order.push_back(i);
+      sorted.push_back({ r.X, r.X + r.Width, r.Y, r.Y + r.Height, i });
     }
   }
-  const auto getRectangle = [&items](std::size_t i) { return items[i].Extent->Rectangle; };
-  std::sort(order.begin(), order.end(),
-    [&](std::size_t a, std::size_t b) { return getRectangle(a).X < getRectangle(b).X; });
+  std::sort(sorted.begin(), sorted.end(),
+    [](const Edges& first, const Edges& second) { return first.Left < second.Left; });
+  return sorted;
+}
+
+std::vector<Island> FindIslands(std::vector<Item>& items)
+{
+  const std::vector<Edges> sorted = SortFromLeft(items);
   vtkOITDisjointSets sets(items.size());
-  for (auto a = order.begin(); a != order.end(); ++a)
+  for (auto a = sorted.begin(); a != sorted.end(); ++a)
   {
-    const int right = getRectangle(*a).X + getRectangle(*a).Width;
-    for (auto b = a + 1; b != order.end() && getRectangle(*b).X < right; ++b)
+    for (auto b = a + 1; b != sorted.end() && b->Left < a->Right; ++b)
     {
-      if (!getRectangle(*a).Intersect(getRectangle(*b)).IsEmpty())
+      if (b->Bottom < a->Top && a->Bottom < b->Top)
       {
-        sets.Unite(*a, *b);
+        sets.Unite(a->Item, b->Item);
       }
     }
   }
