@@ -130,7 +130,7 @@ class TestComponent(PyVistaTest):
         self.assertEqual((done.returncode, done.stdout), (0, "vtkoit.pyvista\n"), done.stderr)
 
     def test_subplots_and_report(self):
-        plotter = self.plotter(shape=(2, 2), border=False)
+        plotter = self.plotter(shape=(2, 2))
         for i in range(4):
             plotter.subplot(i // 2, i % 2)
             self.add_squares(plotter)
