@@ -31,9 +31,12 @@ class TestJudge(Support.FolderTest):
         after = before.copy()
         for place in changed:
             after[place] += numpy.uint8(steps)
-        for name, picture in (("empty", empty), ("before", before), ("after", after)):
+        opaque = before.copy()
+        opaque[0, 29] = 0  # where one of the samples is covered that VTK leaves out
+        for name, picture in (("empty", empty), ("before", before), ("after", after), ("opaque", opaque)):
             numpy.save(self.path(name + ".npy"), picture)
-        told = {"picture": "before.npy", "translucent": int(translucent), "without": "empty.npy"}
+        told = {"picture": "before.npy", "translucent": int(translucent), "without": "empty.npy",
+                "opaque": "opaque.npy"}
         judge = compare.Judge(self.folder, self.folder)
         judge.compare("example", {"pictures": [told]}, {"pictures": [{"picture": "after.npy"}] * with_vtkoit})
         return judge.counts
@@ -51,7 +54,8 @@ class TestJudge(Support.FolderTest):
 
     def test_elsewhere(self):
         self.check("wrong", self.judge([(8, 20 + compare.NEAR)], 9))
-        self.check("wrong", self.judge([(8, 10), (0, 29)], 9))
+        self.check("wrong", self.judge([(8, 10), (19, 0)], 9))
+        self.check("differ", self.judge([(8, 10), (0, 29)], 9))
 
     def test_nothing_is_translucent(self):
         self.check("same", self.judge(translucent=False))

@@ -21,6 +21,7 @@ import warnings
 
 import numpy
 import pyvista
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPropCollection, vtkVolume
 
 
 def find():
@@ -63,10 +64,20 @@ class Recorder:
         pyvista.Plotter.show = record
 
     def record(self, plotter):
-        props = [prop for renderer in plotter.renderers for prop in renderer.GetViewProps() if is_translucent(prop)]
+        # Those of widgets, too, whose renderers PyVista does not list.
+        props = [prop for renderer in plotter.render_window.GetRenderers() for prop in renderer.GetViewProps()
+                 if is_translucent(prop)]
         kept = {"picture": self.save(plotter), "translucent": len(props)}
         if props:
-            # Where they are: what looks other without them.
+            # Where they are: what looks other without them. In a multisampled window VTK draws translucent meshes
+            # by one sample of a pixel, opaque ones by all.
+            actors = [actor for prop in props for actor in actors_of(prop)]
+            forced = [actor.GetForceOpaque() for actor in actors]
+            for actor in actors:
+                actor.ForceOpaqueOn()
+            kept["opaque"] = self.save(plotter)
+            for actor, before in zip(actors, forced):
+                actor.SetForceOpaque(before)
             for prop in props:
                 prop.SetVisibility(False)
             kept["without"] = self.save(plotter)
@@ -82,8 +93,17 @@ class Recorder:
         return name
 
 
+def actors_of(prop):
+    """The actors that a prop is made of: list of vtkActor."""
+    actors = vtkPropCollection()
+    prop.GetActors(actors)
+    return [actors.GetItemAsObject(i) for i in range(actors.GetNumberOfItems())
+            if isinstance(actors.GetItemAsObject(i), vtkActor)]
+
+
 def is_translucent(prop):
-    return bool(prop.GetVisibility() and prop.HasTranslucentPolygonalGeometry())
+    """Volumes are drawn between the translucent meshes, so they count as such."""
+    return bool(prop.GetVisibility() and (prop.HasTranslucentPolygonalGeometry() or isinstance(prop, vtkVolume)))
 
 
 def run(test):
