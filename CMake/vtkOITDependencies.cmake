@@ -38,6 +38,7 @@ set(vtkoit_vtk_test_components
 
 # ParaView finds the VTK that it was built with, which is then everybody's.
 if(VTKOIT_BUILD_PARAVIEW)
+  include(vtkOITParaViewOfDebian)
   # Naming the components keeps it from asking for the development files of Qt.
   find_package(ParaView 5.11 REQUIRED
     COMPONENTS RemotingCore RemotingServerManager RemotingViews)

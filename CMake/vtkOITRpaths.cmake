@@ -15,5 +15,8 @@ if(UNIX AND NOT APPLE)
   list(APPEND CMAKE_INSTALL_RPATH "$ORIGIN" "$ORIGIN/${vtkoit_bin_to_lib}")
 endif()
 
-# For a VTK outside the system's folders.
-set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
+# For a VTK outside the system's folders. One in them finds all that it needs, and packages must not name
+# folders of other packages, such as that of HDF5, to which ParaView links.
+if(NOT VTK_DIR MATCHES "^/usr/lib/")
+  set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
+endif()

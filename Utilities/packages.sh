@@ -82,6 +82,13 @@ paraview='
   zlib1g-dev
 '
 
+# draws_by_system: whether ParaView's packages are for the system's VTK, as from Debian testing on, and
+# not for one of its own. Their paraview-dev needs libvtk9-dev and does not depend on it.
+draws_by_system()
+{
+  apt-cache depends paraview 2>/dev/null | grep -q 'Depends: libvtk9'
+}
+
 list=
 if [ "${1:-}" = --list ]; then
   list=yes
@@ -101,4 +108,7 @@ if [ -n "$list" ]; then
 else
   # shellcheck disable=SC2086
   install_packages $packages
+  if [ "$packages" = "$paraview" ] && draws_by_system; then
+    install_packages libvtk9-dev
+  fi
 fi

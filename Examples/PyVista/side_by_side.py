@@ -10,7 +10,7 @@ import sys
 import pyvista as pv
 import vtkoit
 
-plotter = pv.Plotter(off_screen=True, shape=(1, 2), border=False, window_size=[600, 300])
+plotter = pv.Plotter(off_screen=True, shape=(1, 2), window_size=[600, 300])
 for column in (0, 1):
     plotter.subplot(0, column)
     for i, color in enumerate(["tomato", "mediumseagreen", "royalblue", "gold"]):

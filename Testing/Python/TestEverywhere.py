@@ -149,10 +149,57 @@ class TestEverywhere(unittest.TestCase):
         renderer.UseDepthPeelingOn()
         numpy.testing.assert_array_equal(Support.draw(renderer), right)
 
-    def test_unknown_method(self):
-        with self.assertRaisesRegex(ValueError, "^unknown method 'zbuffer'"):
-            vtkoit.install_everywhere("zbuffer")
-        self.assertIsNone(vtkoit.installed(vtkRenderer()))
+    def test_refusals_install_nothing(self):
+        for arguments, properties, message in (
+                (["zbuffer"], {}, "^unknown method 'zbuffer'"),
+                ([], {"TransmittanceThreshold": 2}, "TransmittanceThreshold"),
+                ([], {"TransmittanceThreshold": float("nan")}, "^TransmittanceThreshold=nan is refused; give a finite"),
+                (["abuffer"], {"MaximumBufferSize": "much"}, "^MaximumBufferSize='much' is refused; give a number"),
+                (["abuffer"], {"FragmentPrecision": "float"},
+                 r"^install_everywhere\(\) cannot set 'FragmentPrecision'; it sets: MaximumBufferSize, Transm")):
+            with self.assertRaisesRegex(ValueError, message):
+                vtkoit.install_everywhere(*arguments, **properties)
+            self.assertIsNone(vtkoit.installed(vtkRenderer()))
+
+    def test_properties(self):
+        defaults = vtkoit.create("abuffer")
+        vtkoit.install_everywhere("abuffer", transmittance_threshold=0.25, MaximumBufferSize=2 ** 24)
+        renderer = Support.sphere_renderer()
+        self.check_properties(renderer, 0.25, 2 ** 24)
+        before = vtkoit.installed(renderer)
+        vtkoit.install_everywhere("abuffer", TransmittanceThreshold=0)
+        self.assertIs(vtkoit.installed(renderer), before)
+        self.check_properties(renderer, 0, defaults.GetMaximumBufferSize())
+        vtkoit.install_everywhere("peel", TransmittanceThreshold=0.5)
+        self.assertEqual(vtkoit.installed(renderer).GetClassName(), "vtkOITDepthPeelingPass")
+        self.check_properties(renderer, 0.5, defaults.GetMaximumBufferSize())
+        # A refusal leaves what there was.
+        with self.assertRaises(ValueError):
+            vtkoit.install_everywhere("abuffer", TransmittanceThreshold=-1)
+        self.check_properties(renderer, 0.5, defaults.GetMaximumBufferSize())
+        vtkoit.install_everywhere("peel")
+        self.check_properties(renderer, defaults.GetTransmittanceThreshold(), defaults.GetMaximumBufferSize())
+
+    def test_properties_keep_those_of_install(self):
+        renderer = vtkRenderer()
+        vtkoit.install(renderer, "abuffer", TransmittanceThreshold=0.125)
+        vtkoit.install_everywhere(TransmittanceThreshold=0)
+        self.assertEqual(vtkoit.installed(renderer).GetTransmittanceThreshold(), 0.125)
+
+    def test_properties_are_drawn_by(self):
+        """The layers have opacity 0.4: behind the first one there is less than 0.9, so no other one need be peeled."""
+        passes = {}
+        for value in (0, 0.9):
+            vtkoit.install_everywhere("peel", TransmittanceThreshold=value)
+            renderer = Support.sphere_renderer()
+            Support.draw(renderer)
+            passes[value] = vtkoit.installed(renderer).GetNumberOfGeometryPasses()
+        self.assertLess(passes[0.9], passes[0])
+
+    def check_properties(self, renderer, threshold, size):
+        for each in (renderer, vtkRenderer()):
+            done = vtkoit.installed(each)
+            self.assertEqual((done.GetTransmittanceThreshold(), done.GetMaximumBufferSize()), (threshold, size))
 
 
 if __name__ == "__main__":

@@ -130,7 +130,7 @@ class TestComponent(PyVistaTest):
         self.assertEqual((done.returncode, done.stdout), (0, "vtkoit.pyvista\n"), done.stderr)
 
     def test_subplots_and_report(self):
-        plotter = self.plotter(shape=(2, 2), border=False)
+        plotter = self.plotter(shape=(2, 2))
         for i in range(4):
             plotter.subplot(i // 2, i % 2)
             self.add_squares(plotter)
@@ -150,6 +150,19 @@ class TestComponent(PyVistaTest):
             self.assertEqual(frame.algorithm, "A-buffer")
             self.assertGreaterEqual(frame.depth_complexity, 2)  # more where samples are kept apart
         self.assertEqual(len(str(report).splitlines()), 5)
+
+    def test_report_of_a_bound(self):
+        """Behind three layers of opacity 0.9 comes 0.001 of the light, less than the default threshold."""
+        import pyvista
+
+        for threshold, word in ((1 / 512, "0.0010"), (0, "yes")):
+            plotter = self.plotter()
+            for i in range(6):
+                plotter.add_mesh(pyvista.Plane(center=(0, 0, i), i_size=9, j_size=9), opacity=0.9, lighting=False)
+            plotter.oit.enable("abuffer", TransmittanceThreshold=threshold)
+            self.picture(plotter)
+            self.assertEqual(str(plotter.oit.report()).splitlines()[1].split()[1], word)
+            plotter.close()
 
     def test_disable_gives_back(self):
         plotter = self.plotter()

@@ -79,7 +79,7 @@ def set_property(instance, name, value):
     named values as str ("float" for FragmentPrecision). Raises ValueError in one line.
     """
     names = _property_names(instance)
-    found = [candidate for candidate in names if _plain(candidate) == _plain(name)]
+    found = [candidate for candidate in names if plain_name(candidate) == plain_name(name)]
     if not found:
         raise ValueError("%s has no property %r; it has: %s"
                          % (instance.GetClassName(), name,
@@ -87,7 +87,8 @@ def set_property(instance, name, value):
     _write(instance, found[0], value)
 
 
-def _plain(name):
+def plain_name(name):
+    """What names of properties, and of their values, are compared by."""
     return str(name).replace("_", "").lower()
 
 
@@ -154,9 +155,9 @@ def _write(instance, name, value):
 
 def _number(name, text, named):
     """The int or float that a str says: a number, or one of the named values (dict of str to int)."""
-    numbers = {_plain(key): number for key, number in named.items()}
-    if _plain(text) in numbers:
-        return numbers[_plain(text)]
+    numbers = {plain_name(key): number for key, number in named.items()}
+    if plain_name(text) in numbers:
+        return numbers[plain_name(text)]
     for kind in (int, float):
         try:
             return kind(text)

@@ -40,14 +40,21 @@ class Report(list):
     """A list of Frame, one for each subplot; as text a table."""
 
     def __str__(self):
-        lines = ["subplot  exact  passes  fragments  layers     MiB  algorithm"]
+        lines = ["subplot   exact  passes  fragments  layers     MiB  algorithm"]
         for frame in self:
-            lines.append("%7d  %5s  %6d  %9s  %6s  %6.1f  %s" % (
-                frame.subplot, "yes" if frame.exact else "no", frame.geometry_passes,
+            lines.append("%7d  %6s  %6d  %9s  %6s  %6.1f  %s" % (
+                frame.subplot, _exactness(frame), frame.geometry_passes,
                 frame.fragments if frame.fragments >= 0 else "-",
                 frame.depth_complexity if frame.depth_complexity >= 0 else "-",
                 frame.buffer_size / 2.0 ** 20, frame.algorithm))
         return "\n".join(lines)
+
+
+def _exactness(frame):
+    """Whether a Frame is exact, str: by less than what is seen, by TransmittanceThreshold, says by how much."""
+    if frame.exact:
+        return "yes"
+    return "%.4f" % frame.error_bound if frame.error_bound < 0.01 else "no"
 
 
 @pyvista.register_plotter_component("oit")
