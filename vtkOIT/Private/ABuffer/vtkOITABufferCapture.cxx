@@ -28,6 +28,7 @@ vtkOITFailure vtkOITABufferEngine::Capture(const Task& task)
     this->HeadInTargetWorks = false;
     this->ChooseCapture(task);
     this->ChooseShaders(task);
+    this->Store.SetRegions(nullptr);
     failure = this->Store.Reserve(task.Frame.Window, *task.Frame.Capabilities, this->Band,
       this->Store.GetCapacity(), this->Shaders.GetBytesPerNode(), this->GetLargestPool(task));
     if (!failure)

@@ -85,6 +85,7 @@ std::string vtkOITABufferEngine::FindMissingIn(const vtkOITFrame& frame) const
 void vtkOITABufferEngine::Release()
 {
   this->Store.Release();
+  this->Regions.Clear();
   this->DepthCopy.Release();
   this->SolidDepth.Release();
   this->Trial.Reset();
@@ -279,6 +280,7 @@ vtkOITFailure vtkOITABufferEngine::DrawBand(const Task& task, std::int64_t& need
   std::int64_t wanted = this->Store.GetCapacity() > 0
     ? std::max(FirstGuess * this->Band.GetArea(), this->Store.GetCapacity())
     : GuessFragments(task.Frame, this->Band);
+  wanted = std::max(wanted, this->FindNodesOfRegions(task));
   for (std::int64_t before = -1;;)
   {
     this->ChooseShaders(task);
@@ -295,6 +297,7 @@ vtkOITFailure vtkOITABufferEngine::DrawBand(const Task& task, std::int64_t& need
     if (!failure)
     {
       this->ChooseShaders(task); // as the pool is now
+      this->ChooseRegions(task);
       failure = this->Capture(task);
     }
     vtkOITFragmentStore::Counters counters;
@@ -314,6 +317,11 @@ vtkOITFailure vtkOITABufferEngine::DrawBand(const Task& task, std::int64_t& need
       continue;
     }
     const std::int64_t capacity = this->Store.GetCapacity();
+    if (counters.Overflow && this->Store.GetRegions())
+    {
+      this->Regions.NoteExceeded(); // so the next turn has none
+      continue;
+    }
     if (!counters.Overflow)
     {
       this->AddStatistics(task, counters);
@@ -321,7 +329,7 @@ vtkOITFailure vtkOITABufferEngine::DrawBand(const Task& task, std::int64_t& need
       return {};
     }
     // A count that is not beyond the capacity has wrapped around 2^32.
-    needed = std::int64_t(counters.NodeCount) + OIT_PAGE_SIZE;
+    needed = counters.NodeCount + OIT_PAGE_SIZE;
     needed = needed > capacity ? needed : INT64_C(1) << 32;
     if (this->Store.GetPoolBytes() >= largestPool || capacity <= before)
     {
@@ -337,6 +345,26 @@ vtkOITFailure vtkOITABufferEngine::DrawBand(const Task& task, std::int64_t& need
       "simpler");
   }
   return {};
+}
+
+//------------------------------------------------------------------------------
+// Nodes that are worth asking for, so that each region has its own: not where memory is limited, nor
+// where the pool would be too large for a storage block then.
+std::int64_t vtkOITABufferEngine::FindNodesOfRegions(const Task& task) const
+{
+  const bool canGrow =
+    this->HeadInTarget && task.Settings.BufferLimit == 0 && this->Band == task.Frame.Rectangle;
+  const std::int64_t nodes = canGrow ? this->Regions.FindNodes(this->Band) : 0;
+  const std::int64_t bytes = nodes * this->Shaders.GetBytesPerNode();
+  return bytes <= task.Frame.Capabilities->MaximumStorageBlockSize ? nodes : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITABufferEngine::ChooseRegions(const Task& task)
+{
+  const bool hasRegions = this->HeadInTarget && this->Band == task.Frame.Rectangle &&
+    this->Regions.Plan(this->Band, this->Store.GetNodes());
+  this->Store.SetRegions(hasRegions ? &this->Regions : nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -377,6 +405,11 @@ void vtkOITABufferEngine::AddStatistics(
   const auto depthComplexity =
     static_cast<int>(*std::max_element(counters.Tiles.begin(), counters.Tiles.end()));
   this->NumberOfFragments += fragments;
+  task.Statistics.SharedAllocations += counters.SharedAllocations;
+  if (this->HeadInTarget && this->Band == task.Frame.Rectangle)
+  {
+    this->Regions.Update(this->Store.GetTileGrid(), counters.TileFragments);
+  }
   task.Statistics.NoteFragments(fragments, depthComplexity);
   task.Statistics.NoteError(counters.Skipped);
   if (depthComplexity > vtkOITABufferResolver::LongestList)

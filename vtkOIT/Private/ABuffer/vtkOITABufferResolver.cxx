@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/ABuffer/vtkOITABufferResolver.h"
 
+#include "Private/ABuffer/vtkOITNodeRegions.h"
 #include "Private/Deferred/vtkOITLights.h"
 #include "Private/Frame/vtkOITFrame.h"
 #include "Private/GL/vtkOITOutput.h"
@@ -63,6 +64,7 @@ void vtkOITABufferResolver::SetShaders(const vtkOITABufferShaders& shaders)
 void vtkOITABufferResolver::Release()
 {
   this->DepthComplexity.Clear();
+  this->CheckStage.Release();
   this->CountStage.Release();
   this->TileStages.Release();
   this->SortedTiles = 0;
@@ -83,6 +85,13 @@ vtkOITFailure vtkOITABufferResolver::Resolve(const vtkOITFrame& frame, vtkOITFra
 {
   glMemoryBarrier(Barriers);
   counters = {};
+  if (store.GetRegions())
+  {
+    if (vtkOITFailure failure = this->Check(frame, store))
+    {
+      return failure;
+    }
+  }
   const bool sortsAll = this->Shaders.SortsAll();
   if (sortsAll || (this->TileStages.CompileAtOnce() && this->DepthComplexity.IsEmpty()))
   {
@@ -131,6 +140,23 @@ vtkOITFailure vtkOITABufferResolver::DrawWhatIsLeft(
   {
     this->DepthComplexity.Update(store.GetTileGrid(), counters.Tiles);
   }
+  return failure;
+}
+
+//------------------------------------------------------------------------------
+// A region is never smaller than a pixel, so the rectangle has room for a pixel of each.
+vtkOITFailure vtkOITABufferResolver::Check(const vtkOITFrame& frame, const vtkOITFragmentStore& store)
+{
+  vtkOpenGLState* state = frame.GLState;
+  const vtkOITRectangle& rectangle = store.GetRectangle();
+  const vtkOITTileGrid& grid = store.GetRegions()->GetGrid();
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE); // it has no output
+  state->vtkglViewport(rectangle.X, rectangle.Y, grid.Columns, grid.Rows);
+  vtkOITFailure failure = this->CheckStage.Render(
+    frame.Window, vtkOITFullScreenVS, [this] { return this->Shaders.GetCheck(); },
+    [&store](vtkShaderProgram* program) { store.SetCheckUniforms(program); });
+  glMemoryBarrier(Barriers);
+  frame.BeginOutput(rectangle);
   return failure;
 }
 

@@ -5,6 +5,7 @@
 #include "Private/ABuffer/vtkOITSortingNetwork.h"
 #include "Private/GL/vtkOITOutput.h"
 
+#include "vtkOITABufferCheckFS.h"
 #include "vtkOITABufferCompositeFS.h"
 #include "vtkOITABufferCountFS.h"
 #include "vtkOITABufferGatherFS.h"
@@ -112,6 +113,12 @@ vtkOITShaderText vtkOITABufferShaders::MakeOutputStage(const char* file) const
 std::string vtkOITABufferShaders::GetTileVertexShader()
 {
   return vtkOITShaderText({ vtkOITABufferTileVS }).GetText();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITABufferShaders::GetCheck() const
+{
+  return this->MakeStage(vtkOITABufferCheckFS).GetText();
 }
 
 //------------------------------------------------------------------------------

@@ -50,6 +50,7 @@ struct vtkOITABufferShaders
   /// The vertex shader of stages that draw tiles, and the fragment shaders of all.
   ///@{
   static std::string GetTileVertexShader();
+  std::string GetCheck() const;
   std::string GetCount() const;
   std::string GetResolve(int networkSize) const;
   std::string GetSecondChance() const;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/ABuffer/vtkOITFragmentStore.h"
 
+#include "Private/ABuffer/vtkOITNodeRegions.h"
 #include "Private/Frame/vtkOITCapabilities.h"
 #include "Private/GL/vtkOITAllocation.h"
 #include "Private/GL/vtkOITFramebuffer.h"
@@ -18,25 +19,30 @@ namespace
 {
 constexpr std::int64_t BytesPerTexel = 16; // of the pool as a buffer texture, GL_RGBA32UI
 
-constexpr GLsizeiptr GetCounterBytes(int tiles)
+constexpr std::int64_t RoundUp(std::int64_t value, std::int64_t step)
 {
-  return static_cast<GLsizeiptr>(sizeof(std::uint32_t)) *
-    (OIT_COUNTER_WORDS + OIT_TILE_WORDS * tiles);
+  return (value + step - 1) / step * step;
+}
+
+/// Of the counters and the tiles, and the word where regions begin.
+constexpr std::int64_t GetTileWords(int tiles)
+{
+  return RoundUp(OIT_COUNTER_WORDS + INT64_C(1) * OIT_TILE_WORDS * tiles, OIT_REGION_WORDS);
+}
+
+constexpr std::int64_t GetCounterWords(int tiles, int regions)
+{
+  return GetTileWords(tiles) + INT64_C(1) * OIT_REGION_WORDS * regions;
+}
+
+constexpr GLsizeiptr GetBytes(std::int64_t words)
+{
+  return static_cast<GLsizeiptr>(sizeof(std::uint32_t)) * static_cast<GLsizeiptr>(words);
 }
 
 constexpr GLsizeiptr GetExpectedBytes(int tiles)
 {
   return static_cast<GLsizeiptr>(sizeof(std::uint32_t)) * tiles;
-}
-
-constexpr std::int64_t GetTileBytes(int tiles)
-{
-  return GetCounterBytes(tiles) + GetExpectedBytes(tiles);
-}
-
-constexpr std::int64_t RoundUp(std::int64_t value, std::int64_t step)
-{
-  return (value + step - 1) / step * step;
 }
 
 GLuint MakeBufferTexture(GLenum format, GLuint buffer)
@@ -78,7 +84,7 @@ vtkOITFailure vtkOITFragmentStore::Reserve(vtkOpenGLRenderWindow* window,
   int bytesPerNode, std::int64_t maximumPoolBytes)
 {
   this->Attach(window);
-  vtkOITFailure failure = this->ReserveCounters(vtkOITTileGrid(rectangle).GetNumberOfTiles());
+  vtkOITFailure failure = this->ReserveCounters(rectangle);
   if (!failure)
   {
     failure = this->ReserveHeads(rectangle.Width + (this->WholeFramebuffer ? rectangle.X : 0),
@@ -95,23 +101,29 @@ vtkOITFailure vtkOITFragmentStore::Reserve(vtkOpenGLRenderWindow* window,
   {
     this->Release();
   }
-  this->Nodes = this->PoolBytes / bytesPerNode;
+  // Whole pages, so that a page that is given out is there as a whole.
+  const std::int64_t nodes = this->PoolBytes / bytesPerNode;
+  this->Nodes = this->WholeFramebuffer ? nodes / OIT_PAGE_SIZE * OIT_PAGE_SIZE : nodes;
   return failure;
 }
 
 //------------------------------------------------------------------------------
-vtkOITFailure vtkOITFragmentStore::ReserveCounters(int tiles)
+vtkOITFailure vtkOITFragmentStore::ReserveCounters(const vtkOITRectangle& rectangle)
 {
-  if (this->TileCapacity >= tiles)
+  const int tiles = vtkOITTileGrid(rectangle).GetNumberOfTiles();
+  const int regions = vtkOITTileGrid(rectangle, OIT_REGION_SIZE).GetNumberOfTiles();
+  const std::int64_t words = GetCounterWords(tiles, this->WholeFramebuffer ? regions : 0);
+  if (this->TileCapacity >= tiles && this->CounterWords >= words)
   {
     return {};
   }
   const vtkOITAllocation allocation;
-  this->TileCapacity = tiles;
+  this->TileCapacity = std::max(this->TileCapacity, tiles);
+  this->CounterWords = std::max(this->CounterWords, words);
   RemakeCounters(
-    this->CounterBuffer, this->CounterTexture, GetCounterBytes(tiles), GL_DYNAMIC_READ);
-  RemakeCounters(
-    this->ExpectedBuffer, this->ExpectedTexture, GetExpectedBytes(tiles), GL_DYNAMIC_DRAW);
+    this->CounterBuffer, this->CounterTexture, GetBytes(this->CounterWords), GL_DYNAMIC_READ);
+  RemakeCounters(this->ExpectedBuffer, this->ExpectedTexture, GetExpectedBytes(this->TileCapacity),
+    GL_DYNAMIC_DRAW);
   return allocation.Check("the counters of an A-buffer");
 }
 
@@ -168,6 +180,40 @@ vtkOITFailure vtkOITFragmentStore::ReservePool(
 }
 
 //------------------------------------------------------------------------------
+// Node 0 is never used, nor is its page where nodes come in pages.
+std::uint32_t vtkOITFragmentStore::GetFirstNode() const
+{
+  return this->WholeFramebuffer ? OIT_PAGE_SIZE : 1u;
+}
+
+//------------------------------------------------------------------------------
+int vtkOITFragmentStore::GetFirstRegionWord() const
+{
+  return static_cast<int>(GetTileWords(this->Grid.GetNumberOfTiles()));
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint32_t> vtkOITFragmentStore::MakeCounters() const
+{
+  const auto missing = static_cast<std::uint32_t>(this->Nodes);
+  std::vector<std::uint32_t> words(this->GetFirstRegionWord(), 0u);
+  words[0] = this->GetFirstNode();
+  words[OIT_WORD_MISSING] = missing;
+  if (this->Regions)
+  {
+    for (const vtkOITNodeRegions::Region& region : this->Regions->GetRegions())
+    {
+      const std::size_t at = words.size();
+      words.resize(at + OIT_REGION_WORDS, 0u);
+      words[at] = region.Begin;
+      words[at + OIT_WORD_MISSING] = missing;
+      words[at + OIT_REGION_END] = region.End;
+    }
+  }
+  return words;
+}
+
+//------------------------------------------------------------------------------
 void vtkOITFragmentStore::Begin(const vtkOITRectangle& rectangle)
 {
   this->Rectangle = rectangle;
@@ -176,11 +222,10 @@ void vtkOITFragmentStore::Begin(const vtkOITRectangle& rectangle)
   glClearTexSubImage(this->Heads, 0, this->WholeFramebuffer ? rectangle.X : 0,
     this->WholeFramebuffer ? rectangle.Y : 0, 0, rectangle.Width, rectangle.Height, 1,
     GL_RED_INTEGER, GL_UNSIGNED_INT, &end);
-  const std::vector<std::uint32_t> zeros(
-    OIT_COUNTER_WORDS + OIT_TILE_WORDS * this->Grid.GetNumberOfTiles(), 0u);
+  const std::vector<std::uint32_t> words = this->MakeCounters();
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
-  glBufferSubData(
-    GL_SHADER_STORAGE_BUFFER, 0, GetCounterBytes(this->Grid.GetNumberOfTiles()), zeros.data());
+  glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0,
+    GetBytes(static_cast<std::int64_t>(words.size())), words.data());
   glBindImageTexture(OIT_IMAGE_HEADS, this->Heads, 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, OIT_BUFFER_COUNTERS, this->CounterBuffer);
   if (this->NodesInImage)
@@ -218,30 +263,74 @@ void vtkOITFragmentStore::SetUniforms(vtkShaderProgram* program) const
   program->SetUniform2i("oitFirstTile", firstTile);
   program->SetUniformi("oitTileColumns", this->Grid.Columns);
   program->SetUniformi("oitCapacity", static_cast<int>(this->Nodes));
+  float strides[3] = { 0.0f, 0.0f, 0.0f };
+  if (this->Regions)
+  {
+    const vtkOITTileGrid& grid = this->Regions->GetGrid();
+    const int row = OIT_REGION_WORDS * grid.Columns;
+    strides[0] = OIT_REGION_WORDS;
+    strides[1] = static_cast<float>(row);
+    strides[2] = static_cast<float>(
+      this->GetFirstRegionWord() - OIT_REGION_WORDS * grid.FirstColumn - row * grid.FirstRow);
+  }
+  program->SetUniform3f("oitRegionStrides", strides);
+}
+
+//------------------------------------------------------------------------------
+void vtkOITFragmentStore::SetCheckUniforms(vtkShaderProgram* program) const
+{
+  this->SetUniforms(program);
+  program->SetUniformi("oitRegionColumns", this->Regions->GetGrid().Columns);
+  program->SetUniformi("oitFirstRegionWord", this->GetFirstRegionWord());
 }
 
 //------------------------------------------------------------------------------
 vtkOITFragmentStore::Counters vtkOITFragmentStore::ReadCounters() const
 {
-  const int tiles = this->Grid.GetNumberOfTiles();
-  std::vector<std::uint32_t> words(OIT_COUNTER_WORDS + OIT_TILE_WORDS * tiles);
+  std::vector<std::uint32_t> words = this->MakeCounters();
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
-  glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, GetCounterBytes(tiles), words.data());
+  glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0,
+    GetBytes(static_cast<std::int64_t>(words.size())), words.data());
+  const auto firstRegion = static_cast<std::size_t>(this->GetFirstRegionWord());
   Counters counters;
-  counters.NodeCount = words[0];
-  counters.Overflow = words[OIT_WORD_OVERFLOW];
-  std::memcpy(&counters.Skipped, &words[OIT_WORD_SKIPPED], sizeof(float));
-  counters.Tiles.reserve(tiles);
-  for (std::size_t i = OIT_COUNTER_WORDS; i < words.size(); i += OIT_TILE_WORDS)
+  counters.SharedAllocations = this->CountNodes(words, 0, this->GetFirstNode(), counters) /
+    (this->WholeFramebuffer ? OIT_PAGE_SIZE : 1);
+  for (std::size_t i = firstRegion; i < words.size(); i += OIT_REGION_WORDS)
   {
-    const std::uint32_t marks = words[i] & (OIT_TRY_AGAIN | OIT_HAS_LISTS);
-    counters.Tiles.push_back(marks ? words[i + 1] : words[i]);
+    const vtkOITNodeRegions::Region& region =
+      this->Regions->GetRegions()[(i - firstRegion) / OIT_REGION_WORDS];
+    this->CountNodes(words, i, region.Begin, counters);
+  }
+  counters.Overflow = words[OIT_WORD_OVERFLOW] | (words[0] > this->Nodes ? 1u : 0u);
+  std::memcpy(&counters.Skipped, &words[OIT_WORD_SKIPPED], sizeof(float));
+  const auto tiles = static_cast<std::size_t>(this->Grid.GetNumberOfTiles());
+  counters.Tiles.reserve(tiles);
+  counters.TileFragments.reserve(tiles);
+  for (std::size_t tile = 0; tile < tiles; ++tile)
+  {
+    const std::uint32_t* word = &words[OIT_COUNTER_WORDS + OIT_TILE_WORDS * tile];
+    const std::uint32_t marks = word[0] & (OIT_TRY_AGAIN | OIT_HAS_LISTS);
+    counters.Tiles.push_back(marks ? word[1] : word[0]);
+    counters.TileFragments.push_back(word[2]);
     counters.Marks |= marks;
     counters.MarkedTiles += (marks & OIT_HAS_LISTS) ? 1 : 0;
-    counters.FragmentCount += words[i + 2];
+    counters.FragmentCount += word[2];
   }
   return counters;
+}
+
+//------------------------------------------------------------------------------
+// Of the counters at a word, which began with a node. Returns their number.
+std::int64_t vtkOITFragmentStore::CountNodes(const std::vector<std::uint32_t>& words,
+  std::size_t at, std::uint32_t first, Counters& counters) const
+{
+  const std::int64_t used = static_cast<std::int64_t>(words[at]) - first;
+  // Of 32 bits, as the counter may have wrapped.
+  const std::uint32_t missing = words[at + OIT_WORD_MISSING] - static_cast<std::uint32_t>(this->Nodes);
+  counters.NodeCount += used + missing;
+  counters.EndOfNodes = std::max<std::int64_t>(counters.EndOfNodes, words[at]);
+  return used + missing;
 }
 
 //------------------------------------------------------------------------------
@@ -286,15 +375,17 @@ void vtkOITFragmentStore::UnbindTiles(vtkOpenGLState* state, int textureUnit) co
 std::int64_t vtkOITFragmentStore::GetSizeInBytes() const
 {
   return this->PoolBytes + INT64_C(4) * this->Width * this->Height +
-    (this->CounterBuffer ? GetTileBytes(this->TileCapacity) : 0);
+    (this->CounterBuffer ? GetBytes(this->CounterWords) + GetExpectedBytes(this->TileCapacity) : 0);
 }
 
 //------------------------------------------------------------------------------
 std::int64_t vtkOITFragmentStore::GetFixedBytes(const vtkOITRectangle& rectangle)
 {
-  constexpr int size = vtkOITTileGrid::TileSize;
-  const int tiles = (rectangle.Width / size + 2) * (rectangle.Height / size + 2);
-  return 4 * rectangle.GetArea() + GetTileBytes(tiles);
+  const auto count = [&rectangle](int size)
+  { return (rectangle.Width / size + 2) * (rectangle.Height / size + 2); };
+  const int tiles = count(vtkOITTileGrid::TileSize);
+  return 4 * rectangle.GetArea() + GetBytes(GetCounterWords(tiles, count(OIT_REGION_SIZE))) +
+    GetExpectedBytes(tiles);
 }
 
 //------------------------------------------------------------------------------
@@ -317,6 +408,8 @@ void vtkOITFragmentStore::Forget()
     this->CounterTexture = 0;
   this->ExpectedBuffer = this->ExpectedTexture = 0;
   this->TileCapacity = 0;
+  this->CounterWords = 0;
+  this->Regions = nullptr;
   this->Width = this->Height = 0;
   this->PoolBytes = this->Nodes = 0;
   this->NodesInImage = false;

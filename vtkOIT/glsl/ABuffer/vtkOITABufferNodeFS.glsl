@@ -36,14 +36,20 @@ struct OITTile
 };
 layout(std430, binding = OIT_BUFFER_COUNTERS) buffer OITCounters
 {
-  uint oitNodeCount; // goes on counting beyond the capacity: the size that is needed
-  uint oitOverflow;      // set once the capacity is passed, stays when the count wraps
-  uint oitSkipped;       // bits of the largest transmittance in front of what was not composited
-  uint oitUnused;
+  uint oitNextNode;    // where there are no regions, or they are exceeded
+  uint oitMissingNode; // what pixels count on that are beyond the capacity: the size that is needed
+  uint oitOverflow;    // set by Gather where it may wrap, and by Check for a region
+  uint oitSkipped;     // bits of the largest transmittance in front of what was not composited
+  uint oitUnused[12];
   OITTile oitTiles[];
 };
+layout(std430, binding = OIT_BUFFER_COUNTERS) buffer OITCounterWords // the same memory, with the regions
+{
+  uint oitCounterWords[];
+};
 
-uniform int oitCapacity; // nodes, the unused one included
+uniform int oitCapacity; // nodes, the unused ones included
+bool oitHasOverflown() { return oitOverflow != 0u || oitNextNode > uint(oitCapacity); }
 uniform ivec2 oitOrigin; // framebuffer pixel of oitHeads' texel (0, 0)
 uniform ivec2 oitCorner; // lower left pixel of the rectangle that is being rendered
 uniform ivec2 oitSize;   // of that rectangle

@@ -34,10 +34,14 @@
 #define OIT_VOLUME_PROJECTED 1 // one layer
 #define OIT_VOLUME_SLICE 2     // one layer, on a plane
 
-// A-buffer: counters in words of 32 bits, then the tiles.
-#define OIT_COUNTER_WORDS 4 // nodes, overflow, skipped, unused
-#define OIT_WORD_OVERFLOW 1
-#define OIT_WORD_SKIPPED 2
+// A-buffer: counters in words of 32 bits, a cache line; then the tiles, then a line for each region.
+#define OIT_COUNTER_WORDS 16 // next node, next one that does not exist, overflow, skipped
+#define OIT_WORD_MISSING 1
+#define OIT_WORD_OVERFLOW 2
+#define OIT_WORD_SKIPPED 3
+#define OIT_REGION_SIZE 64  // pixels a side: of the tiles that llvmpipe draws by one thread
+#define OIT_REGION_WORDS 16 // next node, next one that does not exist, end of the region
+#define OIT_REGION_END 2
 #define OIT_TILE_SIZE 16          // pixels a side
 #define OIT_TILE_WORDS 3          // depth complexity or marks; that of marked tiles; fragments
 #define OIT_TRY_AGAIN 0x20000000u // mark of a tile: some pixels need a second chance
