@@ -320,6 +320,8 @@ vtkOITFailure vtkOITABufferEngine::DrawBand(const Task& task, std::int64_t& need
     if (counters.Overflow && this->Store.GetRegions())
     {
       this->Regions.NoteExceeded(); // so the next turn has none
+      needed = counters.NodeCount + OIT_PAGE_SIZE;
+      wanted = std::max(wanted, needed + needed / 8);
       continue;
     }
     if (!counters.Overflow)

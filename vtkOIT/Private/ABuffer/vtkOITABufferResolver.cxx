@@ -74,6 +74,10 @@ void vtkOITABufferResolver::Release()
   {
     stage.Release();
   }
+  for (vtkOITScreenStage& stage : this->MergeStages)
+  {
+    stage.Release();
+  }
   this->CompositeStage.Release();
   this->SpecularStage.Release();
 }
@@ -282,6 +286,26 @@ vtkOITFailure vtkOITABufferResolver::Sort(vtkOITScreenStage& stage, int runSize,
 }
 
 //------------------------------------------------------------------------------
+// Short lists are left because of coincident fragments. They take less by Sort, and Merge takes long to
+// compile, so it has to be earned as the networks.
+vtkOITScreenStage* vtkOITABufferResolver::FindMerge(std::uint32_t longest, int& runs)
+{
+  const bool isEarned =
+    this->TileStages.CompileAtOnce() || this->SortedTiles > vtkOITTileStages::TilesToCompile;
+  const bool isLong =
+    static_cast<int>(longest) > vtkOITABufferShaders::NetworkSizes.back() && isEarned;
+  for (std::size_t i = 0; i < MergedRuns.size() && isLong && !this->Shaders.LastOnTop; ++i)
+  {
+    runs = MergedRuns[i];
+    if (static_cast<int>(longest) <= runs * OIT_MERGED_RUN)
+    {
+      return &this->MergeStages[i];
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
 // Volumes are drawn when nothing can fail any more.
 vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
   const vtkOITFragmentStore& store, vtkOITFragmentStore::Counters& counters,
@@ -290,7 +314,17 @@ vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
   const bool hasLists = std::any_of(
     counters.Tiles.begin(), counters.Tiles.end(), [](std::uint32_t n) { return n > 0; });
   vtkOITFailure failure;
-  if (hasLists)
+  int runs = 0;
+  vtkOITScreenStage* merge = tileClass == TilesWithLists
+    ? this->FindMerge(*std::max_element(counters.Tiles.begin(), counters.Tiles.end()), runs)
+    : nullptr;
+  if (merge)
+  {
+    glMemoryBarrier(Barriers);
+    failure = this->DrawTiles(
+      *merge, frame, store, tileClass, [this, runs] { return this->Shaders.GetMerge(runs); });
+  }
+  else if (hasLists)
   {
     failure = this->SortLists(frame, store, counters, tileClass);
   }
@@ -306,7 +340,7 @@ vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
       this->PrepareOutput(frame, store);
     }
   }
-  if (hasLists && !failure)
+  if (hasLists && !merge && !failure)
   {
     failure = this->Composite(frame, store, tileClass);
   }

@@ -9,6 +9,8 @@
 #include "vtkOITABufferCompositeFS.h"
 #include "vtkOITABufferCountFS.h"
 #include "vtkOITABufferGatherFS.h"
+#include "vtkOITABufferGroupsFS.h"
+#include "vtkOITABufferMergeFS.h"
 #include "vtkOITABufferNodeFS.h"
 #include "vtkOITABufferReadFS.h"
 #include "vtkOITABufferRegistersFS.h"
@@ -172,11 +174,25 @@ std::string vtkOITABufferShaders::GetSort(int runSize) const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkOITABufferShaders::GetMerge(int runs) const
+{
+  const vtkOITRegisterMerge text(OIT_MERGED_RUN, runs);
+  return this->MakeOutputStage(vtkOITABufferMergeFS)
+    .Insert("Groups", vtkOITABufferGroupsFS)
+    .Insert("MergeDeclare", text.Declare)
+    .Insert("MergeRun", text.Run)
+    .Insert("MergeLoad", text.Load)
+    .Insert("MergeCompare", text.Compare)
+    .GetText();
+}
+
+//------------------------------------------------------------------------------
 std::string vtkOITABufferShaders::GetComposite(bool hasSpecular) const
 {
   return this->MakeOutputStage(vtkOITABufferCompositeFS)
     .Define("OIT_VOLUMES", this->Volumes)
     .Define("OIT_HAS_SPECULAR", hasSpecular)
+    .Insert("Groups", vtkOITABufferGroupsFS)
     .Insert("Light", std::string(vtkOITDeferredMaterialFS) + vtkOITDeferredLightFS)
     .GetText();
 }

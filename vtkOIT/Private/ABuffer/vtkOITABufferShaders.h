@@ -59,6 +59,9 @@ struct vtkOITABufferShaders
   /// `runSize`: fragments of the runs that it starts from, OIT_RUN_SIZE, OIT_SHORT_RUN or the length
   /// of short lists.
   std::string GetSort(int runSize) const;
+  /// In place of Sort and Composite, for lists of up to `runs` runs of OIT_MERGED_RUN fragments. Not for
+  /// volumes, multisampling, deferred shading and LastOnTop.
+  std::string GetMerge(int runs) const;
   /// `hasSpecular`: some material may reflect lights.
   std::string GetComposite(bool hasSpecular) const;
   /// Of a volume mapper, to which March was added (vtkOITVolumeText).

@@ -25,6 +25,7 @@
 #define OIT_LIGHT 2.0        // above all opacities: premultiplied light, see vtkOITFragmentFS.glsl
 #define OIT_RUN_SIZE 16      // nodes of the runs that Sort starts from
 #define OIT_SHORT_RUN 4      // the same until many lists were sorted: that compiles fast
+#define OIT_MERGED_RUN 32    // fragments of the runs that Merge sorts
 #define OIT_LONG_LIST 32     // fragments up to which all are composited, whatever the threshold
 #define OIT_NETWORK_COUNT 8  // sorting networks in registers, and the fragments that they take
 #define OIT_NETWORK_SIZES 4, 6, 8, 12, 16, 24, 32, 64
