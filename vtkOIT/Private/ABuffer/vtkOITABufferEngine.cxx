@@ -136,6 +136,7 @@ void vtkOITABufferEngine::ChooseShaders(const Task& task)
   shaders.Samples = task.Frame.Target.Samples;
   shaders.FloatColor = task.Settings.FloatColor;
   shaders.NodesInImage = this->Store.GetNodesInImage();
+  shaders.NodesInTexture = this->Store.GetNodesInTexture();
   shaders.FramebufferFetch = vtkOITWritesByFetch(task.Frame);
   shaders.PostDepthCoverage = task.Frame.Capabilities->PostDepthCoverage;
   shaders.FineDerivatives = task.Frame.Capabilities->FineDerivatives;

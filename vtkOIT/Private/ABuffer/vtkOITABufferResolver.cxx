@@ -398,6 +398,7 @@ vtkOITFailure vtkOITABufferResolver::DrawTiles(vtkOITScreenStage& stage, const v
     store.SetUniforms(program);
     const int dimensions[2] = { grid.Columns, grid.Rows };
     program->SetUniformi("oitTileTexels", OIT_UNIT_STATE);
+    program->SetUniformi("oitNodeTexels", OIT_UNIT_NODES);
     program->SetUniformi("oitExpectedTexels", OIT_UNIT_GATHERED);
     program->SetUniform2i("oitTileDimensions", dimensions);
     program->SetUniform2i("oitTileClass", tileClass.data());

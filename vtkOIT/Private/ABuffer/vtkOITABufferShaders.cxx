@@ -32,7 +32,7 @@ bool vtkOITABufferShaders::operator==(const vtkOITABufferShaders& other) const
 {
   const auto tie = [](const vtkOITABufferShaders& s)
   {
-    return std::tie(s.Samples, s.FloatColor, s.NodesInImage, s.FramebufferFetch,
+    return std::tie(s.Samples, s.FloatColor, s.NodesInImage, s.NodesInTexture, s.FramebufferFetch,
       s.PostDepthCoverage, s.HeadInTarget, s.ClampColor, s.FineDerivatives, s.LastOnTop,
       s.Interlock, s.HasLight, s.Volumes, s.Deferred);
   };
@@ -140,6 +140,7 @@ std::string vtkOITABufferShaders::GetResolve(int networkSize) const
     text.Require({ "GL_ARB_derivative_control" });
   }
   return text.Define("OIT_FINE_DERIVATIVES", this->FineDerivatives)
+    .Define("OIT_NODES_IN_TEXTURE", this->NodesInTexture)
     .Define("OIT_ENDS_LONG_LISTS", networkSize > OIT_LONG_LIST)
     .Insert("Registers", vtkOITRegisterResolve(networkSize))
     .GetText();
@@ -150,6 +151,7 @@ std::string vtkOITABufferShaders::GetSecondChance() const
 {
   return this->MakeOutputStage(vtkOITABufferSecondChanceFS)
     .Define("OIT_ENDS_LONG_LISTS")
+    .Define("OIT_NODES_IN_TEXTURE", this->NodesInTexture)
     .Insert("Registers", vtkOITRegisterSelect(OIT_LONG_LIST, KeptFragments))
     .GetText();
 }
@@ -159,6 +161,7 @@ std::string vtkOITABufferShaders::GetWalk() const
 {
   return this->MakeOutputStage(vtkOITABufferSecondChanceFS)
     .Define("OIT_ENDS_LONG_LISTS")
+    .Define("OIT_NODES_IN_TEXTURE", this->NodesInTexture)
     .Insert("Registers", vtkOITRegisterWalk(WalkedFragments, LongestWalk))
     .GetText();
 }

@@ -19,6 +19,7 @@ struct vtkOITABufferShaders
   int Samples = 0;
   bool FloatColor = false;
   bool NodesInImage = false;
+  bool NodesInTexture = false; // in stages that only read them
   bool FramebufferFetch = false;
   bool PostDepthCoverage = false;
   bool HeadInTarget = false;

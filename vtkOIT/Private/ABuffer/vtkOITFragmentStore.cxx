@@ -172,7 +172,7 @@ vtkOITFailure vtkOITFragmentStore::ReservePool(
   }
   this->PoolBytes = bytes;
   this->NodesInImage = bytes > capabilities.MaximumStorageBlockSize;
-  if (this->NodesInImage)
+  if (bytes / BytesPerTexel <= capabilities.MaximumTextureBufferSize)
   {
     this->PoolTexture = MakeBufferTexture(GL_RGBA32UI, this->Pool);
   }
@@ -359,12 +359,17 @@ void vtkOITFragmentStore::BindTiles(vtkOpenGLState* state, int textureUnit) cons
   glBindTexture(GL_TEXTURE_BUFFER, this->CounterTexture);
   state->vtkglActiveTexture(GL_TEXTURE0 + textureUnit + 1);
   glBindTexture(GL_TEXTURE_BUFFER, this->ExpectedTexture);
+  if (this->PoolTexture != 0)
+  {
+    state->vtkglActiveTexture(GL_TEXTURE0 + OIT_UNIT_NODES);
+    glBindTexture(GL_TEXTURE_BUFFER, this->PoolTexture);
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkOITFragmentStore::UnbindTiles(vtkOpenGLState* state, int textureUnit) const
 {
-  for (int unit = textureUnit; unit < textureUnit + 2; ++unit)
+  for (const int unit : { textureUnit, textureUnit + 1, OIT_UNIT_NODES })
   {
     state->vtkglActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(GL_TEXTURE_BUFFER, 0);

@@ -115,8 +115,11 @@ public:
   /// The depth complexity that is expected of the current rectangle's tiles.
   void SetExpected(const std::vector<std::uint32_t>& tiles);
 
+  /// Whether BindTiles() binds the pool, too: it is not larger than a buffer texture may be.
+  bool GetNodesInTexture() const { return this->PoolTexture != 0; }
+
   /// Binds counters and expected depth complexity as buffer textures of 32-bit integers, to
-  /// `textureUnit` and the next one.
+  /// `textureUnit` and the next one; and the pool, to OIT_UNIT_NODES.
   void BindTiles(vtkOpenGLState* state, int textureUnit) const;
   void UnbindTiles(vtkOpenGLState* state, int textureUnit) const;
 

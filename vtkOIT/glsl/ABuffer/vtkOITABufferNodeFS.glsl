@@ -63,7 +63,12 @@ int oitFindTile()
   return tile.y * oitTileColumns + tile.x;
 }
 
-#ifdef OIT_NODES_IN_IMAGE
+#ifdef OIT_NODES_IN_TEXTURE
+// Of stages that only read: llvmpipe gathers texels for eight pixels by vector instructions.
+uniform usamplerBuffer oitNodeTexels;
+uvec4 oitLoad(uint word) { return texelFetch(oitNodeTexels, int(word)); }
+uint oitLoadNext(uint word) { return oitLoad(word).w; }
+#elif defined(OIT_NODES_IN_IMAGE)
 layout(binding = OIT_IMAGE_NODES, rgba32ui) uniform uimageBuffer oitNodes;
 uvec4 oitLoad(uint word) { return imageLoad(oitNodes, int(word)); }
 uint oitLoadNext(uint word) { return imageLoad(oitNodes, int(word)).w; }

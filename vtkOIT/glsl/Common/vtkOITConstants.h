@@ -9,6 +9,7 @@
 #define OIT_UNIT_STATE 13        // what pixels keep: state of peels, sums, tiles of the A-buffer
 #define OIT_UNIT_GATHERED 14     // what Gather has written; expected depth complexity of tiles
 #define OIT_UNIT_DEPTH 15        // opaque depth, or a layer
+#define OIT_UNIT_NODES 15        // the pool of the A-buffer, where it is only read
 #define OIT_UNIT_LIGHTS 12       // lights of deferred shading
 
 // Image units and storage buffers of the A-buffer, image unit of multi-layer peeling.
