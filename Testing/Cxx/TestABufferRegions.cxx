@@ -29,7 +29,8 @@ void AddDeepSpot(Rig& rig)
   for (int i = 0; i < 60; ++i)
   {
     const float shade = static_cast<float>(i) / 60.0f;
-    rig.AddQuad({ 0.25f + 0.005f * static_cast<float>((i * 37) % 60), { shade, 0.5f, 1.0f - shade, 0.05f } },
+    rig.AddQuad(
+      { 0.25f + 0.005f * static_cast<float>((i * 37) % 60), { shade, 0.5f, 1.0f - shade, 0.05f } },
       { 70.0, 70.0, 120.0, 120.0 });
   }
 }
@@ -39,7 +40,8 @@ void CheckShared(Report& report, const Rig& rig, const std::string& what, vtkTyp
   const auto* pass = vtkOITABufferPass::SafeDownCast(rig.Pass);
   const vtkTypeInt64 shared = pass ? pass->GetNumberOfSharedAllocations() : -1;
   report.Check(shared == expected,
-    what + ": " + std::to_string(shared) + " shared allocations, expected " + std::to_string(expected));
+    what + ": " + std::to_string(shared) + " shared allocations, expected " +
+      std::to_string(expected));
 }
 }
 
@@ -60,7 +62,8 @@ int TestABufferRegions(int argc, char* argv[])
         const std::string frame = "frame " + std::to_string(i);
         report.CompareBits(frame, rig.Render(), first);
         CheckShared(report, rig, frame, setup.HasFetch && i > 8 ? 0 : each);
-        report.Check(rig.Pass->GetNumberOfGeometryPasses() == 1, "regions that are large enough, twice");
+        report.Check(
+          rig.Pass->GetNumberOfGeometryPasses() == 1, "regions that are large enough, twice");
         report.Check(rig.Pass->GetNumberOfFragments() == 5 * Pixels, "fragments with regions");
       }
 
@@ -76,8 +79,8 @@ int TestABufferRegions(int argc, char* argv[])
       report.Check(rig.Pass->GetExact(), "an exceeded region is reported as not exact");
       if (setup.HasFetch)
       {
-        report.Check(rig.Pass->GetNumberOfGeometryPasses() == 2,
-          "no region was exceeded: this tests nothing");
+        report.Check(
+          rig.Pass->GetNumberOfGeometryPasses() == 2, "no region was exceeded: this tests nothing");
       }
       for (int i = 0; i < 10; ++i)
       {

@@ -80,15 +80,18 @@ void CheckSizes(Report& report)
   report.Check(regions.Plan(whole, nodes) && GetSize(regions.GetRegions()[0]) == 22528,
     "regions were made anew for an eighth more");
   Update(regions, whole, 1024);
-  report.Check(regions.Plan(whole, nodes) && GetSize(regions.GetRegions()[0]) == 16384 + 4096 + 12288,
+  report.Check(
+    regions.Plan(whole, nodes) && GetSize(regions.GetRegions()[0]) == 16384 + 4096 + 12288,
     "regions are too small");
   report.Check(!regions.Plan(whole, 8 * 32768), "regions in a pool that is too small");
-  report.Check(regions.Plan(whole, 8 * 32768 + 4), "no regions in a pool that is just large enough");
+  report.Check(
+    regions.Plan(whole, 8 * 32768 + 4), "no regions in a pool that is just large enough");
 
   // A rectangle off the regions' borders, with pixels in 2 x 2 of them.
   const vtkOITRectangle part = MakeRectangle(60, 60, 8, 8);
   report.Check(regions.Plan(part, nodes) && regions.GetRegions().size() == 4, "not four regions");
-  report.Check(regions.GetGrid().FirstColumn == 0 && regions.GetGrid().Columns == 2, "other columns");
+  report.Check(
+    regions.GetGrid().FirstColumn == 0 && regions.GetGrid().Columns == 2, "other columns");
 
   // None for a while after one was exceeded, longer each time.
   regions.NoteExceeded();
@@ -164,7 +167,8 @@ struct Allocation
     {
       thread.join();
     }
-    return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
+    return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start)
+      .count();
   }
 };
 
@@ -179,7 +183,8 @@ void CheckThreads(Report& report, int threads)
     what + "other operations on the shared counter than pages");
   for (int i = 0; i < 48; ++i)
   {
-    report.Check(apart.Counters[i].Next - apart.Regions[i].Begin == 4 * Allocation::PagesPerRegion &&
+    report.Check(
+      apart.Counters[i].Next - apart.Regions[i].Begin == 4 * Allocation::PagesPerRegion &&
         apart.Counters[i].Next <= apart.Regions[i].End,
       what + "a region was exceeded");
   }
@@ -204,7 +209,8 @@ void PrintTimes()
       for (int kind = 0; kind < 2; ++kind)
       {
         Allocation allocation(200, kind == 0);
-        times[kind].push_back(allocation.Run(threads) / static_cast<double>(allocation.Pages.size()));
+        times[kind].push_back(
+          allocation.Run(threads) / static_cast<double>(allocation.Pages.size()));
       }
     }
     std::cout << threads;

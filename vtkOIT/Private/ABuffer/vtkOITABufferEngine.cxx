@@ -102,22 +102,6 @@ std::int64_t vtkOITABufferEngine::GetSizeInBytes() const
 }
 
 //------------------------------------------------------------------------------
-// Volumes read shaded colours, several samples would each be lit, and light has no material.
-void vtkOITABufferEngine::ChooseShading(const Task& task)
-{
-  const vtkOITFrame& frame = task.Frame;
-  using Deferral = vtkOITSettings::Deferral;
-  const Deferral deferral = task.Settings.DeferShading;
-  const bool canDefer = deferral != Deferral::Never && !task.Settings.FloatColor &&
-    !frame.HasLight && !frame.Volumes && frame.Target.Samples == 0;
-  const bool isLit =
-    canDefer && !this->Lights.Update(frame) && this->Lights.GetNumberOfLights() > 0;
-  const bool canBeLit = isLit && this->Lights.GetNumberOfLights() <= this->MostLights;
-  this->Defers = canBeLit && (deferral == Deferral::Always || this->Lights.Pays(this->Defers));
-  this->HasDrawn = true;
-}
-
-//------------------------------------------------------------------------------
 // Framebuffer fetch saves an atomic a fragment, and leaves all depth tests to the hardware. Its
 // heads cover the framebuffer, so it is not for memory that is limited to little more.
 void vtkOITABufferEngine::ChooseCapture(const Task& task)
@@ -348,26 +332,6 @@ vtkOITFailure vtkOITABufferEngine::DrawBand(const Task& task, std::int64_t& need
       "simpler");
   }
   return {};
-}
-
-//------------------------------------------------------------------------------
-// Nodes that are worth asking for, so that each region has its own: not where memory is limited, nor
-// where the pool would be too large for a storage block then.
-std::int64_t vtkOITABufferEngine::FindNodesOfRegions(const Task& task) const
-{
-  const bool canGrow =
-    this->HeadInTarget && task.Settings.BufferLimit == 0 && this->Band == task.Frame.Rectangle;
-  const std::int64_t nodes = canGrow ? this->Regions.FindNodes(this->Band) : 0;
-  const std::int64_t bytes = nodes * this->Shaders.GetBytesPerNode();
-  return bytes <= task.Frame.Capabilities->MaximumStorageBlockSize ? nodes : 0;
-}
-
-//------------------------------------------------------------------------------
-void vtkOITABufferEngine::ChooseRegions(const Task& task)
-{
-  const bool hasRegions = this->HeadInTarget && this->Band == task.Frame.Rectangle &&
-    this->Regions.Plan(this->Band, this->Store.GetNodes());
-  this->Store.SetRegions(hasRegions ? &this->Regions : nullptr);
 }
 
 //------------------------------------------------------------------------------

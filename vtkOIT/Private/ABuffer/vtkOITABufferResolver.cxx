@@ -74,10 +74,6 @@ void vtkOITABufferResolver::Release()
   {
     stage.Release();
   }
-  for (vtkOITScreenStage& stage : this->MergeStages)
-  {
-    stage.Release();
-  }
   this->CompositeStage.Release();
   this->SpecularStage.Release();
 }
@@ -149,7 +145,8 @@ vtkOITFailure vtkOITABufferResolver::DrawWhatIsLeft(
 
 //------------------------------------------------------------------------------
 // A region is never smaller than a pixel, so the rectangle has room for a pixel of each.
-vtkOITFailure vtkOITABufferResolver::Check(const vtkOITFrame& frame, const vtkOITFragmentStore& store)
+vtkOITFailure vtkOITABufferResolver::Check(
+  const vtkOITFrame& frame, const vtkOITFragmentStore& store)
 {
   vtkOpenGLState* state = frame.GLState;
   const vtkOITRectangle& rectangle = store.GetRectangle();
@@ -286,26 +283,6 @@ vtkOITFailure vtkOITABufferResolver::Sort(vtkOITScreenStage& stage, int runSize,
 }
 
 //------------------------------------------------------------------------------
-// Short lists are left because of coincident fragments. They take less by Sort, and Merge takes long to
-// compile, so it has to be earned as the networks.
-vtkOITScreenStage* vtkOITABufferResolver::FindMerge(std::uint32_t longest, int& runs)
-{
-  const bool isEarned =
-    this->TileStages.CompileAtOnce() || this->SortedTiles > vtkOITTileStages::TilesToCompile;
-  const bool isLong =
-    static_cast<int>(longest) > vtkOITABufferShaders::NetworkSizes.back() && isEarned;
-  for (std::size_t i = 0; i < MergedRuns.size() && isLong && !this->Shaders.LastOnTop; ++i)
-  {
-    runs = MergedRuns[i];
-    if (static_cast<int>(longest) <= runs * OIT_MERGED_RUN)
-    {
-      return &this->MergeStages[i];
-    }
-  }
-  return nullptr;
-}
-
-//------------------------------------------------------------------------------
 // Volumes are drawn when nothing can fail any more.
 vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
   const vtkOITFragmentStore& store, vtkOITFragmentStore::Counters& counters,
@@ -314,15 +291,14 @@ vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
   const bool hasLists = std::any_of(
     counters.Tiles.begin(), counters.Tiles.end(), [](std::uint32_t n) { return n > 0; });
   vtkOITFailure failure;
-  int runs = 0;
-  vtkOITScreenStage* merge = tileClass == TilesWithLists
-    ? this->FindMerge(*std::max_element(counters.Tiles.begin(), counters.Tiles.end()), runs)
-    : nullptr;
-  if (merge)
+  const TileDraw merge = tileClass == TilesWithLists
+    ? this->TileStages.FindMerge(*std::max_element(counters.Tiles.begin(), counters.Tiles.end()),
+        this->SortedTiles, this->Shaders)
+    : TileDraw();
+  if (merge.Stage)
   {
     glMemoryBarrier(Barriers);
-    failure = this->DrawTiles(
-      *merge, frame, store, tileClass, [this, runs] { return this->Shaders.GetMerge(runs); });
+    failure = this->DrawTiles(*merge.Stage, frame, store, tileClass, merge.GetFragmentShader);
   }
   else if (hasLists)
   {
@@ -340,7 +316,7 @@ vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
       this->PrepareOutput(frame, store);
     }
   }
-  if (hasLists && !merge && !failure)
+  if (hasLists && !merge.Stage && !failure)
   {
     failure = this->Composite(frame, store, tileClass);
   }

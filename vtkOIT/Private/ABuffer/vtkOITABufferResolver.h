@@ -83,8 +83,6 @@ private:
   vtkOITFailure Sort(vtkOITScreenStage& stage, int runSize, const vtkOITFrame& frame,
     const vtkOITFragmentStore& store, const std::array<int, 2>& tileClass,
     const std::pair<int, int>& widths);
-  /// The program that merges lists of this length; null where Sort and Composite do.
-  vtkOITScreenStage* FindMerge(std::uint32_t longest, int& runs);
   vtkOITFailure Composite(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
     const std::array<int, 2>& tileClass);
   vtkOITFailure DrawLists(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
@@ -107,8 +105,6 @@ private:
   /// The same for tiles with short lists only, with less to do.
   static constexpr std::array<int, 2> ShortLists = { 4, 8 };
   std::array<vtkOITScreenStage, ShortLists.size()> ShortSortStages;
-  static constexpr std::array<int, 2> MergedRuns = { 16, 32 };
-  std::array<vtkOITScreenStage, MergedRuns.size()> MergeStages;
   vtkOITScreenStage CompositeStage;
   vtkOITScreenStage SpecularStage; // Composite where materials reflect lights
   vtkOITLights* Lights = nullptr;

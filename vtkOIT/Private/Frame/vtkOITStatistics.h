@@ -21,11 +21,11 @@ struct vtkOITStatistics
   std::int64_t NumberOfLostFragments = 0;
   bool SkippedHiddenFragments = false;
   std::int64_t SharedAllocations = 0; // of an A-buffer
-  std::string Algorithm; // that drew; empty: none
-  std::string Reason;    // why that one
-  std::string Summary;   // what was skipped, and why; empty: nothing
-  std::string Warning;   // that another method draws, and why, one line; empty: none does
-  std::string Fault;     // what is wrong with the picture, one line; empty: nothing
+  std::string Algorithm;              // that drew; empty: none
+  std::string Reason;                 // why that one
+  std::string Summary;                // what was skipped, and why; empty: nothing
+  std::string Warning; // that another method draws, and why, one line; empty: none does
+  std::string Fault;   // what is wrong with the picture, one line; empty: nothing
 
   /// Not exact, with this bound on the error of a colour.
   void NoteError(double bound)
