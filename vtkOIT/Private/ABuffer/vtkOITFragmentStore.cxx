@@ -152,6 +152,15 @@ vtkOITFailure vtkOITFragmentStore::ReservePool(
   {
     this->PoolTexture = MakeBufferTexture(GL_RGBA32UI, this->Pool);
   }
+  if (vtkOITAllocation::TakeErrors())
+  {
+    glDeleteTextures(1, &this->PoolTexture);
+    this->PoolTexture = 0; // stages read the storage buffer then
+  }
+  if (this->NodesInImage && this->PoolTexture == 0)
+  {
+    return vtkOITFailure::OfMemory("OpenGL has no memory for the fragments of an A-buffer");
+  }
   return {};
 }
 
