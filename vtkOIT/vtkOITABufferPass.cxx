@@ -25,7 +25,8 @@ void vtkOITABufferPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SkipHiddenFragments: " << this->SkipHiddenFragments << "\n"
-     << indent << "SkippedHiddenFragments: " << this->GetSkippedHiddenFragments() << "\n";
+     << indent << "SkippedHiddenFragments: " << this->GetSkippedHiddenFragments() << "\n"
+     << indent << "NumberOfSharedAllocations: " << this->GetNumberOfSharedAllocations() << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -40,6 +41,12 @@ vtkOITSettings vtkOITABufferPass::MakeSettings(const vtkOITCapabilities& capabil
 bool vtkOITABufferPass::GetSkippedHiddenFragments() const
 {
   return this->GetStatistics().SkippedHiddenFragments;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkOITABufferPass::GetNumberOfSharedAllocations() const
+{
+  return this->GetStatistics().SharedAllocations;
 }
 
 //------------------------------------------------------------------------------

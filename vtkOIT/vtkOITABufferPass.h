@@ -88,6 +88,13 @@ public:
   /// GetMaximumDepthComplexity() and GetFragments() are without them then.
   bool GetSkippedHiddenFragments() const;
 
+  /// How often the last frame took memory for fragments by the one counter that all threads share: once
+  /// for every four fragments of a pixel, or for each where shaders cannot read the framebuffer. 0 once regions
+  /// of 64 x 64 pixels have memory of their own, as llvmpipe draws one by one thread: from the third frame on,
+  /// or the ninth where that takes more memory, while the picture changes little. Not in bands
+  /// (MaximumBufferSize).
+  vtkTypeInt64 GetNumberOfSharedAllocations() const;
+
   /// Reads back the fragments that the last frame captured, to check a picture or to analyse a
   /// scene: one tuple of 7 floats each, pixel x and y (whole numbers, from the lower left corner of
   /// the framebuffer), window depth in [0, 1], red, green, blue (not multiplied by opacity),

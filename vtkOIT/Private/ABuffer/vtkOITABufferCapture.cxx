@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The geometry pass of vtkOITABufferEngine: its fragments are captured in lists.
+// The geometry pass of vtkOITABufferEngine: its fragments are captured in lists, and what is
+// chosen for it.
 #include "Private/ABuffer/vtkOITABufferEngine.h"
 
 #include "Private/Engine/vtkOITGeometry.h"
 #include "Private/Engine/vtkOITPropParts.h"
+#include "Private/Frame/vtkOITCapabilities.h"
 #include "Private/Frame/vtkOITFrame.h"
+#include "Private/Frame/vtkOITSettings.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -19,6 +22,22 @@ constexpr int AnyDepth = 7;
 }
 
 //------------------------------------------------------------------------------
+// Volumes read shaded colours, several samples would each be lit, and light has no material.
+void vtkOITABufferEngine::ChooseShading(const Task& task)
+{
+  const vtkOITFrame& frame = task.Frame;
+  using Deferral = vtkOITSettings::Deferral;
+  const Deferral deferral = task.Settings.DeferShading;
+  const bool canDefer = deferral != Deferral::Never && !task.Settings.FloatColor &&
+    !frame.HasLight && !frame.Volumes && frame.Target.Samples == 0;
+  const bool isLit =
+    canDefer && !this->Lights.Update(frame) && this->Lights.GetNumberOfLights() > 0;
+  const bool canBeLit = isLit && this->Lights.GetNumberOfLights() <= this->MostLights;
+  this->Defers = canBeLit && (deferral == Deferral::Always || this->Lights.Pays(this->Defers));
+  this->HasDrawn = true;
+}
+
+//------------------------------------------------------------------------------
 vtkOITFailure vtkOITABufferEngine::Capture(const Task& task)
 {
   vtkOITFailure failure = this->BeginBand(task);
@@ -28,6 +47,7 @@ vtkOITFailure vtkOITABufferEngine::Capture(const Task& task)
     this->HeadInTargetWorks = false;
     this->ChooseCapture(task);
     this->ChooseShaders(task);
+    this->Store.SetRegions(nullptr);
     failure = this->Store.Reserve(task.Frame.Window, *task.Frame.Capabilities, this->Band,
       this->Store.GetCapacity(), this->Shaders.GetBytesPerNode(), this->GetLargestPool(task));
     if (!failure)
@@ -48,6 +68,26 @@ vtkOITFailure vtkOITABufferEngine::Capture(const Task& task)
     this->DepthCopy.Unbind(task.Frame.GLState, OIT_UNIT_DEPTH);
   }
   return failure ? failure : this->DepthCopyFailure;
+}
+
+//------------------------------------------------------------------------------
+// Nodes that are worth asking for, so that each region has its own: not where memory is limited, nor
+// where the pool would be too large for a storage block then.
+std::int64_t vtkOITABufferEngine::FindNodesOfRegions(const Task& task) const
+{
+  const bool canGrow =
+    this->HeadInTarget && task.Settings.BufferLimit == 0 && this->Band == task.Frame.Rectangle;
+  const std::int64_t nodes = canGrow ? this->Regions.FindNodes(this->Band) : 0;
+  const std::int64_t bytes = nodes * this->Shaders.GetBytesPerNode();
+  return bytes <= task.Frame.Capabilities->MaximumStorageBlockSize ? nodes : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkOITABufferEngine::ChooseRegions(const Task& task)
+{
+  const bool hasRegions = this->HeadInTarget && this->Band == task.Frame.Rectangle &&
+    this->Regions.Plan(this->Band, this->Store.GetNodes());
+  this->Store.SetRegions(hasRegions ? &this->Regions : nullptr);
 }
 
 //------------------------------------------------------------------------------

@@ -85,6 +85,7 @@ std::string vtkOITABufferEngine::FindMissingIn(const vtkOITFrame& frame) const
 void vtkOITABufferEngine::Release()
 {
   this->Store.Release();
+  this->Regions.Clear();
   this->DepthCopy.Release();
   this->SolidDepth.Release();
   this->Trial.Reset();
@@ -98,22 +99,6 @@ std::int64_t vtkOITABufferEngine::GetSizeInBytes() const
 {
   return this->Store.GetSizeInBytes() + this->DepthCopy.GetSizeInBytes() +
     this->SolidDepth.GetSizeInBytes() + this->Lights.GetSizeInBytes();
-}
-
-//------------------------------------------------------------------------------
-// Volumes read shaded colours, several samples would each be lit, and light has no material.
-void vtkOITABufferEngine::ChooseShading(const Task& task)
-{
-  const vtkOITFrame& frame = task.Frame;
-  using Deferral = vtkOITSettings::Deferral;
-  const Deferral deferral = task.Settings.DeferShading;
-  const bool canDefer = deferral != Deferral::Never && !task.Settings.FloatColor &&
-    !frame.HasLight && !frame.Volumes && frame.Target.Samples == 0;
-  const bool isLit =
-    canDefer && !this->Lights.Update(frame) && this->Lights.GetNumberOfLights() > 0;
-  const bool canBeLit = isLit && this->Lights.GetNumberOfLights() <= this->MostLights;
-  this->Defers = canBeLit && (deferral == Deferral::Always || this->Lights.Pays(this->Defers));
-  this->HasDrawn = true;
 }
 
 //------------------------------------------------------------------------------
@@ -135,6 +120,7 @@ void vtkOITABufferEngine::ChooseShaders(const Task& task)
   shaders.Samples = task.Frame.Target.Samples;
   shaders.FloatColor = task.Settings.FloatColor;
   shaders.NodesInImage = this->Store.GetNodesInImage();
+  shaders.NodesInTexture = this->Store.GetNodesInTexture();
   shaders.FramebufferFetch = vtkOITWritesByFetch(task.Frame);
   shaders.PostDepthCoverage = task.Frame.Capabilities->PostDepthCoverage;
   shaders.FineDerivatives = task.Frame.Capabilities->FineDerivatives;
@@ -279,6 +265,7 @@ vtkOITFailure vtkOITABufferEngine::DrawBand(const Task& task, std::int64_t& need
   std::int64_t wanted = this->Store.GetCapacity() > 0
     ? std::max(FirstGuess * this->Band.GetArea(), this->Store.GetCapacity())
     : GuessFragments(task.Frame, this->Band);
+  wanted = std::max(wanted, this->FindNodesOfRegions(task));
   for (std::int64_t before = -1;;)
   {
     this->ChooseShaders(task);
@@ -295,6 +282,7 @@ vtkOITFailure vtkOITABufferEngine::DrawBand(const Task& task, std::int64_t& need
     if (!failure)
     {
       this->ChooseShaders(task); // as the pool is now
+      this->ChooseRegions(task);
       failure = this->Capture(task);
     }
     vtkOITFragmentStore::Counters counters;
@@ -314,6 +302,13 @@ vtkOITFailure vtkOITABufferEngine::DrawBand(const Task& task, std::int64_t& need
       continue;
     }
     const std::int64_t capacity = this->Store.GetCapacity();
+    if (counters.Overflow && this->Store.GetRegions())
+    {
+      this->Regions.NoteExceeded(); // so the next turn has none
+      needed = counters.NodeCount + OIT_PAGE_SIZE;
+      wanted = std::max(wanted, needed + needed / 8);
+      continue;
+    }
     if (!counters.Overflow)
     {
       this->AddStatistics(task, counters);
@@ -321,7 +316,7 @@ vtkOITFailure vtkOITABufferEngine::DrawBand(const Task& task, std::int64_t& need
       return {};
     }
     // A count that is not beyond the capacity has wrapped around 2^32.
-    needed = std::int64_t(counters.NodeCount) + OIT_PAGE_SIZE;
+    needed = counters.NodeCount + OIT_PAGE_SIZE;
     needed = needed > capacity ? needed : INT64_C(1) << 32;
     if (this->Store.GetPoolBytes() >= largestPool || capacity <= before)
     {
@@ -377,6 +372,11 @@ void vtkOITABufferEngine::AddStatistics(
   const auto depthComplexity =
     static_cast<int>(*std::max_element(counters.Tiles.begin(), counters.Tiles.end()));
   this->NumberOfFragments += fragments;
+  task.Statistics.SharedAllocations += counters.SharedAllocations;
+  if (this->HeadInTarget && this->Band == task.Frame.Rectangle)
+  {
+    this->Regions.Update(this->Store.GetTileGrid(), counters.TileFragments);
+  }
   task.Statistics.NoteFragments(fragments, depthComplexity);
   task.Statistics.NoteError(counters.Skipped);
   if (depthComplexity > vtkOITABufferResolver::LongestList)

@@ -7,6 +7,7 @@
 #include "Private/ABuffer/vtkOITABufferShaders.h"
 #include "Private/ABuffer/vtkOITABufferVolumes.h"
 #include "Private/ABuffer/vtkOITFragmentStore.h"
+#include "Private/ABuffer/vtkOITNodeRegions.h"
 #include "Private/ABuffer/vtkOITSolidDepth.h"
 #include "Private/ABuffer/vtkOITTrial.h"
 #include "Private/Deferred/vtkOITDeferredText.h"
@@ -51,6 +52,8 @@ private:
   void DrawSolidDepth(const Task& task);
   vtkOITFailure DrawBands(const Task& task);
   vtkOITFailure DrawBand(const Task& task, std::int64_t& needed);
+  void ChooseRegions(const Task& task);
+  std::int64_t FindNodesOfRegions(const Task& task) const;
   vtkOITFailure Capture(const Task& task);
   vtkOITFailure BeginBand(const Task& task);
   void SetUniforms(const Task& task, vtkShaderProgram* program, vtkProp* prop);
@@ -58,6 +61,7 @@ private:
   void AddStatistics(const Task& task, const vtkOITFragmentStore::Counters& counters);
 
   vtkOITFragmentStore Store;
+  vtkOITNodeRegions Regions; // of its pool
   vtkOITDepthCopy DepthCopy;
   vtkOITSolidDepth SolidDepth;
   vtkOITTrial Trial; // of leaving out hidden fragments

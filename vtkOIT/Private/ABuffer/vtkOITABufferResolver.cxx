@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/ABuffer/vtkOITABufferResolver.h"
 
+#include "Private/ABuffer/vtkOITNodeRegions.h"
 #include "Private/Deferred/vtkOITLights.h"
 #include "Private/Frame/vtkOITFrame.h"
 #include "Private/GL/vtkOITOutput.h"
@@ -63,6 +64,7 @@ void vtkOITABufferResolver::SetShaders(const vtkOITABufferShaders& shaders)
 void vtkOITABufferResolver::Release()
 {
   this->DepthComplexity.Clear();
+  this->CheckStage.Release();
   this->CountStage.Release();
   this->TileStages.Release();
   this->SortedTiles = 0;
@@ -83,6 +85,13 @@ vtkOITFailure vtkOITABufferResolver::Resolve(const vtkOITFrame& frame, vtkOITFra
 {
   glMemoryBarrier(Barriers);
   counters = {};
+  if (store.GetRegions())
+  {
+    if (vtkOITFailure failure = this->Check(frame, store))
+    {
+      return failure;
+    }
+  }
   const bool sortsAll = this->Shaders.SortsAll();
   if (sortsAll || (this->TileStages.CompileAtOnce() && this->DepthComplexity.IsEmpty()))
   {
@@ -131,6 +140,24 @@ vtkOITFailure vtkOITABufferResolver::DrawWhatIsLeft(
   {
     this->DepthComplexity.Update(store.GetTileGrid(), counters.Tiles);
   }
+  return failure;
+}
+
+//------------------------------------------------------------------------------
+// A region is never smaller than a pixel, so the rectangle has room for a pixel of each.
+vtkOITFailure vtkOITABufferResolver::Check(
+  const vtkOITFrame& frame, const vtkOITFragmentStore& store)
+{
+  vtkOpenGLState* state = frame.GLState;
+  const vtkOITRectangle& rectangle = store.GetRectangle();
+  const vtkOITTileGrid& grid = store.GetRegions()->GetGrid();
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE); // it has no output
+  state->vtkglViewport(rectangle.X, rectangle.Y, grid.Columns, grid.Rows);
+  vtkOITFailure failure = this->CheckStage.Render(
+    frame.Window, vtkOITFullScreenVS, [this] { return this->Shaders.GetCheck(); },
+    [&store](vtkShaderProgram* program) { store.SetCheckUniforms(program); });
+  glMemoryBarrier(Barriers);
+  frame.BeginOutput(rectangle);
   return failure;
 }
 
@@ -264,7 +291,16 @@ vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
   const bool hasLists = std::any_of(
     counters.Tiles.begin(), counters.Tiles.end(), [](std::uint32_t n) { return n > 0; });
   vtkOITFailure failure;
-  if (hasLists)
+  const TileDraw merge = tileClass == TilesWithLists
+    ? this->TileStages.FindMerge(*std::max_element(counters.Tiles.begin(), counters.Tiles.end()),
+        this->SortedTiles, this->Shaders)
+    : TileDraw();
+  if (merge.Stage)
+  {
+    glMemoryBarrier(Barriers);
+    failure = this->DrawTiles(*merge.Stage, frame, store, tileClass, merge.GetFragmentShader);
+  }
+  else if (hasLists)
   {
     failure = this->SortLists(frame, store, counters, tileClass);
   }
@@ -280,7 +316,7 @@ vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
       this->PrepareOutput(frame, store);
     }
   }
-  if (hasLists && !failure)
+  if (hasLists && !merge.Stage && !failure)
   {
     failure = this->Composite(frame, store, tileClass);
   }
@@ -338,6 +374,7 @@ vtkOITFailure vtkOITABufferResolver::DrawTiles(vtkOITScreenStage& stage, const v
     store.SetUniforms(program);
     const int dimensions[2] = { grid.Columns, grid.Rows };
     program->SetUniformi("oitTileTexels", OIT_UNIT_STATE);
+    program->SetUniformi("oitNodeTexels", OIT_UNIT_NODES);
     program->SetUniformi("oitExpectedTexels", OIT_UNIT_GATHERED);
     program->SetUniform2i("oitTileDimensions", dimensions);
     program->SetUniform2i("oitTileClass", tileClass.data());

@@ -67,6 +67,7 @@ public:
   static constexpr int LongestList = 40000;
 
 private:
+  vtkOITFailure Check(const vtkOITFrame& frame, const vtkOITFragmentStore& store);
   vtkOITFailure Count(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
     vtkOITFragmentStore::Counters& counters);
   void PrepareOutput(const vtkOITFrame& frame, const vtkOITFragmentStore& store) const;
@@ -95,6 +96,7 @@ private:
   vtkOITABufferShaders Shaders;
   float Threshold = 0.0f;
   vtkOITDepthComplexityMap DepthComplexity;
+  vtkOITScreenStage CheckStage;
   vtkOITScreenStage CountStage;
   vtkOITTileStages TileStages;
   std::int64_t SortedTiles = 0; // with lists that networks left

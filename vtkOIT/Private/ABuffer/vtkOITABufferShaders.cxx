@@ -5,9 +5,12 @@
 #include "Private/ABuffer/vtkOITSortingNetwork.h"
 #include "Private/GL/vtkOITOutput.h"
 
+#include "vtkOITABufferCheckFS.h"
 #include "vtkOITABufferCompositeFS.h"
 #include "vtkOITABufferCountFS.h"
 #include "vtkOITABufferGatherFS.h"
+#include "vtkOITABufferGroupsFS.h"
+#include "vtkOITABufferMergeFS.h"
 #include "vtkOITABufferNodeFS.h"
 #include "vtkOITABufferReadFS.h"
 #include "vtkOITABufferRegistersFS.h"
@@ -29,7 +32,7 @@ bool vtkOITABufferShaders::operator==(const vtkOITABufferShaders& other) const
 {
   const auto tie = [](const vtkOITABufferShaders& s)
   {
-    return std::tie(s.Samples, s.FloatColor, s.NodesInImage, s.FramebufferFetch,
+    return std::tie(s.Samples, s.FloatColor, s.NodesInImage, s.NodesInTexture, s.FramebufferFetch,
       s.PostDepthCoverage, s.HeadInTarget, s.ClampColor, s.FineDerivatives, s.LastOnTop,
       s.Interlock, s.HasLight, s.Volumes, s.Deferred);
   };
@@ -115,6 +118,12 @@ std::string vtkOITABufferShaders::GetTileVertexShader()
 }
 
 //------------------------------------------------------------------------------
+std::string vtkOITABufferShaders::GetCheck() const
+{
+  return this->MakeStage(vtkOITABufferCheckFS).GetText();
+}
+
+//------------------------------------------------------------------------------
 std::string vtkOITABufferShaders::GetCount() const
 {
   return this->MakeStage(vtkOITABufferCountFS)
@@ -131,6 +140,7 @@ std::string vtkOITABufferShaders::GetResolve(int networkSize) const
     text.Require({ "GL_ARB_derivative_control" });
   }
   return text.Define("OIT_FINE_DERIVATIVES", this->FineDerivatives)
+    .Define("OIT_NODES_IN_TEXTURE", this->NodesInTexture)
     .Define("OIT_ENDS_LONG_LISTS", networkSize > OIT_LONG_LIST)
     .Insert("Registers", vtkOITRegisterResolve(networkSize))
     .GetText();
@@ -141,6 +151,7 @@ std::string vtkOITABufferShaders::GetSecondChance() const
 {
   return this->MakeOutputStage(vtkOITABufferSecondChanceFS)
     .Define("OIT_ENDS_LONG_LISTS")
+    .Define("OIT_NODES_IN_TEXTURE", this->NodesInTexture)
     .Insert("Registers", vtkOITRegisterSelect(OIT_LONG_LIST, KeptFragments))
     .GetText();
 }
@@ -150,6 +161,7 @@ std::string vtkOITABufferShaders::GetWalk() const
 {
   return this->MakeOutputStage(vtkOITABufferSecondChanceFS)
     .Define("OIT_ENDS_LONG_LISTS")
+    .Define("OIT_NODES_IN_TEXTURE", this->NodesInTexture)
     .Insert("Registers", vtkOITRegisterWalk(WalkedFragments, LongestWalk))
     .GetText();
 }
@@ -165,11 +177,25 @@ std::string vtkOITABufferShaders::GetSort(int runSize) const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkOITABufferShaders::GetMerge(int runs) const
+{
+  const vtkOITRegisterMerge text(OIT_MERGED_RUN, runs);
+  return this->MakeOutputStage(vtkOITABufferMergeFS)
+    .Insert("Groups", vtkOITABufferGroupsFS)
+    .Insert("MergeDeclare", text.Declare)
+    .Insert("MergeRun", text.Run)
+    .Insert("MergeLoad", text.Load)
+    .Insert("MergeCompare", text.Compare)
+    .GetText();
+}
+
+//------------------------------------------------------------------------------
 std::string vtkOITABufferShaders::GetComposite(bool hasSpecular) const
 {
   return this->MakeOutputStage(vtkOITABufferCompositeFS)
     .Define("OIT_VOLUMES", this->Volumes)
     .Define("OIT_HAS_SPECULAR", hasSpecular)
+    .Insert("Groups", vtkOITABufferGroupsFS)
     .Insert("Light", std::string(vtkOITDeferredMaterialFS) + vtkOITDeferredLightFS)
     .GetText();
 }

@@ -19,6 +19,7 @@ struct vtkOITABufferShaders
   int Samples = 0;
   bool FloatColor = false;
   bool NodesInImage = false;
+  bool NodesInTexture = false; // in stages that only read them
   bool FramebufferFetch = false;
   bool PostDepthCoverage = false;
   bool HeadInTarget = false;
@@ -50,6 +51,7 @@ struct vtkOITABufferShaders
   /// The vertex shader of stages that draw tiles, and the fragment shaders of all.
   ///@{
   static std::string GetTileVertexShader();
+  std::string GetCheck() const;
   std::string GetCount() const;
   std::string GetResolve(int networkSize) const;
   std::string GetSecondChance() const;
@@ -58,6 +60,9 @@ struct vtkOITABufferShaders
   /// `runSize`: fragments of the runs that it starts from, OIT_RUN_SIZE, OIT_SHORT_RUN or the length
   /// of short lists.
   std::string GetSort(int runSize) const;
+  /// In place of Sort and Composite, for lists of up to `runs` runs of OIT_MERGED_RUN fragments. Not for
+  /// volumes, multisampling, deferred shading and LastOnTop.
+  std::string GetMerge(int runs) const;
   /// `hasSpecular`: some material may reflect lights.
   std::string GetComposite(bool hasSpecular) const;
   /// Of a volume mapper, to which March was added (vtkOITVolumeText).

@@ -72,11 +72,10 @@ std::string vtkOITFragmentReadback::Read(
   window->PushContext();
   const vtkOITReadback readback;
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
-  const std::int64_t nodesOfPages =
-    std::int64_t(this->Store.ReadCounters().NodeCount) + OIT_PAGE_SIZE;
+  const std::int64_t end = this->Store.ReadCounters().EndOfNodes;
   const std::vector<std::uint32_t> heads = this->ReadHeads();
   const std::vector<std::uint32_t> nodes =
-    this->ReadNodes(std::min(nodesOfPages, this->Store.GetCapacity() + 1));
+    this->ReadNodes(std::min(end, this->Store.GetCapacity() + 1));
   window->PopContext();
 
   const vtkOITFragmentStore::Lists lists = this->Store.GetLists();

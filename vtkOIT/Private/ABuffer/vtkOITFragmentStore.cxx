@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/ABuffer/vtkOITFragmentStore.h"
 
+#include "Private/ABuffer/vtkOITCounterLayout.h"
+#include "Private/ABuffer/vtkOITNodeRegions.h"
 #include "Private/Frame/vtkOITCapabilities.h"
 #include "Private/GL/vtkOITAllocation.h"
 #include "Private/GL/vtkOITFramebuffer.h"
@@ -11,33 +13,13 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
-#include <cstring>
 #include <string>
+
+using namespace vtkOITCounterLayout;
 
 namespace
 {
 constexpr std::int64_t BytesPerTexel = 16; // of the pool as a buffer texture, GL_RGBA32UI
-
-constexpr GLsizeiptr GetCounterBytes(int tiles)
-{
-  return static_cast<GLsizeiptr>(sizeof(std::uint32_t)) *
-    (OIT_COUNTER_WORDS + OIT_TILE_WORDS * tiles);
-}
-
-constexpr GLsizeiptr GetExpectedBytes(int tiles)
-{
-  return static_cast<GLsizeiptr>(sizeof(std::uint32_t)) * tiles;
-}
-
-constexpr std::int64_t GetTileBytes(int tiles)
-{
-  return GetCounterBytes(tiles) + GetExpectedBytes(tiles);
-}
-
-constexpr std::int64_t RoundUp(std::int64_t value, std::int64_t step)
-{
-  return (value + step - 1) / step * step;
-}
 
 GLuint MakeBufferTexture(GLenum format, GLuint buffer)
 {
@@ -78,7 +60,7 @@ vtkOITFailure vtkOITFragmentStore::Reserve(vtkOpenGLRenderWindow* window,
   int bytesPerNode, std::int64_t maximumPoolBytes)
 {
   this->Attach(window);
-  vtkOITFailure failure = this->ReserveCounters(vtkOITTileGrid(rectangle).GetNumberOfTiles());
+  vtkOITFailure failure = this->ReserveCounters(rectangle);
   if (!failure)
   {
     failure = this->ReserveHeads(rectangle.Width + (this->WholeFramebuffer ? rectangle.X : 0),
@@ -95,23 +77,29 @@ vtkOITFailure vtkOITFragmentStore::Reserve(vtkOpenGLRenderWindow* window,
   {
     this->Release();
   }
-  this->Nodes = this->PoolBytes / bytesPerNode;
+  // Whole pages, so that a page that is given out is there as a whole.
+  const std::int64_t nodes = this->PoolBytes / bytesPerNode;
+  this->Nodes = this->WholeFramebuffer ? nodes / OIT_PAGE_SIZE * OIT_PAGE_SIZE : nodes;
   return failure;
 }
 
 //------------------------------------------------------------------------------
-vtkOITFailure vtkOITFragmentStore::ReserveCounters(int tiles)
+vtkOITFailure vtkOITFragmentStore::ReserveCounters(const vtkOITRectangle& rectangle)
 {
-  if (this->TileCapacity >= tiles)
+  const int tiles = vtkOITTileGrid(rectangle).GetNumberOfTiles();
+  const int regions = vtkOITTileGrid(rectangle, OIT_REGION_SIZE).GetNumberOfTiles();
+  const std::int64_t words = GetCounterWords(tiles, this->WholeFramebuffer ? regions : 0);
+  if (this->TileCapacity >= tiles && this->CounterWords >= words)
   {
     return {};
   }
   const vtkOITAllocation allocation;
-  this->TileCapacity = tiles;
+  this->TileCapacity = std::max(this->TileCapacity, tiles);
+  this->CounterWords = std::max(this->CounterWords, words);
   RemakeCounters(
-    this->CounterBuffer, this->CounterTexture, GetCounterBytes(tiles), GL_DYNAMIC_READ);
-  RemakeCounters(
-    this->ExpectedBuffer, this->ExpectedTexture, GetExpectedBytes(tiles), GL_DYNAMIC_DRAW);
+    this->CounterBuffer, this->CounterTexture, GetBytes(this->CounterWords), GL_DYNAMIC_READ);
+  RemakeCounters(this->ExpectedBuffer, this->ExpectedTexture, GetExpectedBytes(this->TileCapacity),
+    GL_DYNAMIC_DRAW);
   return allocation.Check("the counters of an A-buffer");
 }
 
@@ -160,9 +148,18 @@ vtkOITFailure vtkOITFragmentStore::ReservePool(
   }
   this->PoolBytes = bytes;
   this->NodesInImage = bytes > capabilities.MaximumStorageBlockSize;
-  if (this->NodesInImage)
+  if (bytes / BytesPerTexel <= capabilities.MaximumTextureBufferSize)
   {
     this->PoolTexture = MakeBufferTexture(GL_RGBA32UI, this->Pool);
+  }
+  if (vtkOITAllocation::TakeErrors())
+  {
+    glDeleteTextures(1, &this->PoolTexture);
+    this->PoolTexture = 0; // stages read the storage buffer then
+  }
+  if (this->NodesInImage && this->PoolTexture == 0)
+  {
+    return vtkOITFailure::OfMemory("OpenGL has no memory for the fragments of an A-buffer");
   }
   return {};
 }
@@ -176,11 +173,10 @@ void vtkOITFragmentStore::Begin(const vtkOITRectangle& rectangle)
   glClearTexSubImage(this->Heads, 0, this->WholeFramebuffer ? rectangle.X : 0,
     this->WholeFramebuffer ? rectangle.Y : 0, 0, rectangle.Width, rectangle.Height, 1,
     GL_RED_INTEGER, GL_UNSIGNED_INT, &end);
-  const std::vector<std::uint32_t> zeros(
-    OIT_COUNTER_WORDS + OIT_TILE_WORDS * this->Grid.GetNumberOfTiles(), 0u);
+  const std::vector<std::uint32_t> words = this->MakeCounters();
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
   glBufferSubData(
-    GL_SHADER_STORAGE_BUFFER, 0, GetCounterBytes(this->Grid.GetNumberOfTiles()), zeros.data());
+    GL_SHADER_STORAGE_BUFFER, 0, GetBytes(static_cast<std::int64_t>(words.size())), words.data());
   glBindImageTexture(OIT_IMAGE_HEADS, this->Heads, 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, OIT_BUFFER_COUNTERS, this->CounterBuffer);
   if (this->NodesInImage)
@@ -218,41 +214,25 @@ void vtkOITFragmentStore::SetUniforms(vtkShaderProgram* program) const
   program->SetUniform2i("oitFirstTile", firstTile);
   program->SetUniformi("oitTileColumns", this->Grid.Columns);
   program->SetUniformi("oitCapacity", static_cast<int>(this->Nodes));
-}
-
-//------------------------------------------------------------------------------
-vtkOITFragmentStore::Counters vtkOITFragmentStore::ReadCounters() const
-{
-  const int tiles = this->Grid.GetNumberOfTiles();
-  std::vector<std::uint32_t> words(OIT_COUNTER_WORDS + OIT_TILE_WORDS * tiles);
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
-  glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, GetCounterBytes(tiles), words.data());
-  Counters counters;
-  counters.NodeCount = words[0];
-  counters.Overflow = words[OIT_WORD_OVERFLOW];
-  std::memcpy(&counters.Skipped, &words[OIT_WORD_SKIPPED], sizeof(float));
-  counters.Tiles.reserve(tiles);
-  for (std::size_t i = OIT_COUNTER_WORDS; i < words.size(); i += OIT_TILE_WORDS)
+  float strides[3] = { 0.0f, 0.0f, 0.0f };
+  if (this->Regions)
   {
-    const std::uint32_t marks = words[i] & (OIT_TRY_AGAIN | OIT_HAS_LISTS);
-    counters.Tiles.push_back(marks ? words[i + 1] : words[i]);
-    counters.Marks |= marks;
-    counters.MarkedTiles += (marks & OIT_HAS_LISTS) ? 1 : 0;
-    counters.FragmentCount += words[i + 2];
+    const vtkOITTileGrid& grid = this->Regions->GetGrid();
+    const int row = OIT_REGION_WORDS * grid.Columns;
+    strides[0] = OIT_REGION_WORDS;
+    strides[1] = static_cast<float>(row);
+    strides[2] = static_cast<float>(
+      this->GetFirstRegionWord() - OIT_REGION_WORDS * grid.FirstColumn - row * grid.FirstRow);
   }
-  return counters;
+  program->SetUniform3f("oitRegionStrides", strides);
 }
 
 //------------------------------------------------------------------------------
-float vtkOITFragmentStore::ReadSkipped() const
+void vtkOITFragmentStore::SetCheckUniforms(vtkShaderProgram* program) const
 {
-  float skipped = 0.0f;
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
-  glGetBufferSubData(
-    GL_SHADER_STORAGE_BUFFER, OIT_WORD_SKIPPED * sizeof(std::uint32_t), sizeof(float), &skipped);
-  return skipped;
+  this->SetUniforms(program);
+  program->SetUniformi("oitRegionColumns", this->Regions->GetGrid().Columns);
+  program->SetUniformi("oitFirstRegionWord", this->GetFirstRegionWord());
 }
 
 //------------------------------------------------------------------------------
@@ -270,12 +250,17 @@ void vtkOITFragmentStore::BindTiles(vtkOpenGLState* state, int textureUnit) cons
   glBindTexture(GL_TEXTURE_BUFFER, this->CounterTexture);
   state->vtkglActiveTexture(GL_TEXTURE0 + textureUnit + 1);
   glBindTexture(GL_TEXTURE_BUFFER, this->ExpectedTexture);
+  if (this->PoolTexture != 0)
+  {
+    state->vtkglActiveTexture(GL_TEXTURE0 + OIT_UNIT_NODES);
+    glBindTexture(GL_TEXTURE_BUFFER, this->PoolTexture);
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkOITFragmentStore::UnbindTiles(vtkOpenGLState* state, int textureUnit) const
 {
-  for (int unit = textureUnit; unit < textureUnit + 2; ++unit)
+  for (const int unit : { textureUnit, textureUnit + 1, OIT_UNIT_NODES })
   {
     state->vtkglActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(GL_TEXTURE_BUFFER, 0);
@@ -286,15 +271,17 @@ void vtkOITFragmentStore::UnbindTiles(vtkOpenGLState* state, int textureUnit) co
 std::int64_t vtkOITFragmentStore::GetSizeInBytes() const
 {
   return this->PoolBytes + INT64_C(4) * this->Width * this->Height +
-    (this->CounterBuffer ? GetTileBytes(this->TileCapacity) : 0);
+    (this->CounterBuffer ? GetBytes(this->CounterWords) + GetExpectedBytes(this->TileCapacity) : 0);
 }
 
 //------------------------------------------------------------------------------
 std::int64_t vtkOITFragmentStore::GetFixedBytes(const vtkOITRectangle& rectangle)
 {
-  constexpr int size = vtkOITTileGrid::TileSize;
-  const int tiles = (rectangle.Width / size + 2) * (rectangle.Height / size + 2);
-  return 4 * rectangle.GetArea() + GetTileBytes(tiles);
+  const auto count = [&rectangle](int size)
+  { return (rectangle.Width / size + 2) * (rectangle.Height / size + 2); };
+  const int tiles = count(vtkOITTileGrid::TileSize);
+  return 4 * rectangle.GetArea() + GetBytes(GetCounterWords(tiles, count(OIT_REGION_SIZE))) +
+    GetExpectedBytes(tiles);
 }
 
 //------------------------------------------------------------------------------
@@ -317,6 +304,8 @@ void vtkOITFragmentStore::Forget()
     this->CounterTexture = 0;
   this->ExpectedBuffer = this->ExpectedTexture = 0;
   this->TileCapacity = 0;
+  this->CounterWords = 0;
+  this->Regions = nullptr;
   this->Width = this->Height = 0;
   this->PoolBytes = this->Nodes = 0;
   this->NodesInImage = false;

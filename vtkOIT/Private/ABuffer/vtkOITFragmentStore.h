@@ -3,6 +3,7 @@
 #ifndef vtkOITFragmentStore_h
 #define vtkOITFragmentStore_h
 
+#include "Private/ABuffer/vtkOITTileGrid.h"
 #include "Private/Frame/vtkOITCompatibility.h"
 #include "Private/Frame/vtkOITFailure.h"
 #include "Private/Frame/vtkOITRectangle.h"
@@ -15,29 +16,10 @@
 #include <vector>
 
 class vtkOITCapabilities;
+class vtkOITNodeRegions;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLState;
 class vtkShaderProgram;
-
-/// The tiles that cover a rectangle, aligned to multiples of their size.
-struct vtkOITTileGrid
-{
-  static constexpr int TileSize = OIT_TILE_SIZE;
-
-  explicit vtkOITTileGrid(const vtkOITRectangle& r = {})
-    : FirstColumn(r.X / TileSize)
-    , FirstRow(r.Y / TileSize)
-    , Columns((r.X + r.Width + TileSize - 1) / TileSize - this->FirstColumn)
-    , Rows((r.Y + r.Height + TileSize - 1) / TileSize - this->FirstRow)
-  {
-  }
-  int GetNumberOfTiles() const { return this->Columns * this->Rows; }
-
-  int FirstColumn;
-  int FirstRow;
-  int Columns;
-  int Rows;
-};
 
 /**
  * The memory of an A-buffer: list heads (one texel a pixel), the pool of nodes, the counters and
@@ -54,13 +36,19 @@ public:
   struct Counters
   {
     /// Nodes that were asked for; those of pages are counted as a whole.
-    std::uint32_t NodeCount = 0;
+    std::int64_t NodeCount = 0;
+    /// All nodes that were used are before this one.
+    std::int64_t EndOfNodes = 0;
+    /// How often the counter was used that all threads share.
+    std::int64_t SharedAllocations = 0;
     /// Fragments of all pixels, once they are resolved without multisampling.
     std::int64_t FragmentCount = 0;
     std::uint32_t Overflow = 0;
     /// Largest number of fragments of a pixel, for each tile. In tiles with a mark it is known
     /// only after the second chance.
     std::vector<std::uint32_t> Tiles;
+    /// Fragments of each tile, where FragmentCount is known.
+    std::vector<std::uint32_t> TileFragments;
     /// The largest transmittance in front of fragments that were not composited; 0 for none.
     float Skipped = 0.0f;
     /// All marks of tiles: OIT_TRY_AGAIN, OIT_HAS_LISTS.
@@ -75,6 +63,14 @@ public:
   vtkOITFailure Reserve(vtkOpenGLRenderWindow* window, const vtkOITCapabilities& capabilities,
     const vtkOITRectangle& rectangle, std::int64_t fragments, int bytesPerNode,
     std::int64_t maximumPoolBytes);
+
+  /// Parts of the pool for regions of the next Begin()'s rectangle; null (default): none. Kept by the caller
+  /// until the lists are not needed any more.
+  void SetRegions(const vtkOITNodeRegions* regions) { this->Regions = regions; }
+  const vtkOITNodeRegions* GetRegions() const { return this->Regions; }
+
+  /// Sets the uniforms of Check, for as many pixels as there are regions.
+  void SetCheckUniforms(vtkShaderProgram* program) const;
 
   /// Empties the lists of the rectangle, resets the counters, and binds everything: image units
   /// and storage buffers 0 and 1. The rectangle is the current one until the next call.
@@ -119,13 +115,19 @@ public:
   /// The depth complexity that is expected of the current rectangle's tiles.
   void SetExpected(const std::vector<std::uint32_t>& tiles);
 
+  /// Whether BindTiles() binds the pool, too: it is not larger than a buffer texture may be.
+  bool GetNodesInTexture() const { return this->PoolTexture != 0; }
+
   /// Binds counters and expected depth complexity as buffer textures of 32-bit integers, to
-  /// `textureUnit` and the next one.
+  /// `textureUnit` and the next one; and the pool, to OIT_UNIT_NODES.
   void BindTiles(vtkOpenGLState* state, int textureUnit) const;
   void UnbindTiles(vtkOpenGLState* state, int textureUnit) const;
 
   /// Fragments that the pool takes.
   std::int64_t GetCapacity() const { return std::max<std::int64_t>(0, this->Nodes - 1); }
+
+  /// Nodes of the pool, those included that are never used.
+  std::int64_t GetNodes() const { return this->Nodes; }
 
   std::int64_t GetPoolBytes() const { return this->PoolBytes; }
 
@@ -145,7 +147,12 @@ private:
   void Delete() override;
   void Forget() override;
   vtkOITFailure ReserveHeads(int width, int height);
-  vtkOITFailure ReserveCounters(int tiles);
+  vtkOITFailure ReserveCounters(const vtkOITRectangle& rectangle);
+  std::uint32_t GetFirstNode() const;
+  int GetFirstRegionWord() const;
+  std::vector<std::uint32_t> MakeCounters() const;
+  std::int64_t CountNodes(const std::vector<std::uint32_t>& words, std::size_t at,
+    std::uint32_t first, Counters& counters) const;
   vtkOITFailure ReservePool(std::int64_t bytes, const vtkOITCapabilities& capabilities);
 
   GLuint Heads = 0;
@@ -156,7 +163,9 @@ private:
   GLuint CounterTexture = 0;
   GLuint ExpectedBuffer = 0;
   GLuint ExpectedTexture = 0;
-  int TileCapacity = 0;
+  std::int64_t CounterWords = 0; // of the buffer
+  int TileCapacity = 0;          // of the expected depth complexity
+  const vtkOITNodeRegions* Regions = nullptr;
   vtkOITRectangle Rectangle;
   vtkOITTileGrid Grid;
   bool WholeFramebuffer = false;

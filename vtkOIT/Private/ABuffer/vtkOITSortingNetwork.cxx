@@ -38,6 +38,15 @@ void WriteForEach(std::ostream& os, const char* macro, int first, int end)
   }
 }
 
+/// The macro for each of the registers and the one behind it.
+void WriteForPairs(std::ostream& os, const char* macro, int size)
+{
+  for (int i = 0; i < size; ++i)
+  {
+    os << macro << "(" << i << ", " << i + 1 << ")\n";
+  }
+}
+
 void WriteTies(std::ostream& os, int size)
 {
   for (int i = 0; i + 1 < size; ++i)
@@ -102,6 +111,31 @@ std::string vtkOITRegisterWalk(int kept, int most)
      << "isMore = isMore && !isTied && !isLong && transmittance > 0.0;\n}\n"
      << "thin = transmittance;\nisTied = isTied || isMore;\n";
   return os.str();
+}
+
+//------------------------------------------------------------------------------
+vtkOITRegisterMerge::vtkOITRegisterMerge(int size, int runs)
+{
+  std::ostringstream declare;
+  WriteForEach(declare, "OIT_DECLARE_RUN", 0, runs);
+  declare << "const uint start" << runs << " = OIT_END;\n";
+  this->Declare = declare.str();
+  std::ostringstream run;
+  WriteForEach(run, "OIT_START_RUN", 0, runs);
+  WriteForEach(run, "OIT_LOAD", 0, size);
+  run << "uint node" << size << " = node;\n";
+  WriteSortingNetwork(run, size);
+  WriteForPairs(run, "OIT_REWRITE", size);
+  this->Run = run.str();
+  std::ostringstream load;
+  WriteForEach(load, "OIT_CHOOSE", 0, runs);
+  load << "OITFragment loaded = OIT_NO_FRAGMENT;\n"
+       << "if (at != OIT_END)\n{\nloaded = oitRead(at);\n}\n";
+  WriteForPairs(load, "OIT_TAKE", runs);
+  this->Load = load.str();
+  std::ostringstream compare;
+  WriteForEach(compare, "OIT_COMPARE", 0, runs);
+  this->Compare = compare.str();
 }
 
 //------------------------------------------------------------------------------

@@ -18,6 +18,15 @@ std::string vtkOITRegisterSelect(int size, int kept);
 std::string vtkOITRegisterWalk(int kept, int most);
 /// Of Sort: `size` nodes, which are linked.
 std::string vtkOITRegisterSort(int size);
+/// Of Merge: runs of `size` fragments, and the nearest ones of so many runs.
+struct vtkOITRegisterMerge
+{
+  vtkOITRegisterMerge(int size, int runs);
+  std::string Declare;
+  std::string Run;
+  std::string Load;
+  std::string Compare;
+};
 ///@}
 
 #endif

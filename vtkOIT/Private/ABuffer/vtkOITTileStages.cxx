@@ -29,6 +29,10 @@ void vtkOITTileStages::Release()
   {
     stage.Release();
   }
+  for (vtkOITScreenStage& stage : this->MergeStages)
+  {
+    stage.Release();
+  }
   this->SecondChanceStage.Release();
   this->WalkStage.Release();
 }
@@ -105,4 +109,22 @@ vtkOITTileStages::Draw vtkOITTileStages::FindSecondChance(const vtkOITABufferSha
   const bool hasNetwork = this->SecondChanceStage.IsPrepared();
   return { hasNetwork ? &this->SecondChanceStage : &this->WalkStage, {},
     [&shaders, hasNetwork] { return hasNetwork ? shaders.GetSecondChance() : shaders.GetWalk(); } };
+}
+
+//------------------------------------------------------------------------------
+// Short lists are left because of coincident fragments. They take less by Sort.
+vtkOITTileStages::Draw vtkOITTileStages::FindMerge(
+  std::uint32_t longest, std::int64_t sortedTiles, const vtkOITABufferShaders& shaders)
+{
+  const bool isEarned = this->CompilesAtOnce || sortedTiles > TilesToCompile;
+  const bool isLong = FindClass(longest) == LongLists;
+  for (std::size_t i = 0; i < MergedRuns.size() && isLong && isEarned && !shaders.LastOnTop; ++i)
+  {
+    const int runs = MergedRuns[i];
+    if (static_cast<int>(longest) <= runs * OIT_MERGED_RUN)
+    {
+      return { &this->MergeStages[i], {}, [&shaders, runs] { return shaders.GetMerge(runs); } };
+    }
+  }
+  return { nullptr, {}, {} };
 }

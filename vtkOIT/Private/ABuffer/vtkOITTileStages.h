@@ -27,7 +27,7 @@ public:
   /// A draw of the tiles of one class.
   struct Draw
   {
-    vtkOITScreenStage* Stage;
+    vtkOITScreenStage* Stage = nullptr;
     std::array<int, 2> TileClass;
     std::function<std::string()> GetFragmentShader;
   };
@@ -45,6 +45,12 @@ public:
   /// Of tiles with longer lists than expected; their class is not set.
   Draw FindSecondChance(const vtkOITABufferShaders& shaders);
 
+  /// Of tiles with lists that are left, where the longest is this long: merges them in place of Sort and
+  /// Composite. No Stage where these do it: for short lists and those of more runs than registers take, in
+  /// the order of drawing, and until so many tiles were sorted that its compiler has paid.
+  Draw FindMerge(
+    std::uint32_t longest, std::int64_t sortedTiles, const vtkOITABufferShaders& shaders);
+
   void Release();
 
 private:
@@ -56,6 +62,8 @@ private:
   bool Earns(std::size_t tileClass, std::int64_t tiles, bool& isFree);
 
   std::array<vtkOITScreenStage, vtkOITABufferShaders::NetworkSizes.size()> ResolveStages;
+  static constexpr std::array<int, 2> MergedRuns = { 16, 32 };
+  std::array<vtkOITScreenStage, MergedRuns.size()> MergeStages;
   vtkOITScreenStage SecondChanceStage;
   vtkOITScreenStage WalkStage;
   std::array<std::int64_t, Classes> Walked{}; // tiles of each class that Walk has drawn

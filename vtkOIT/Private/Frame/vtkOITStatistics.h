@@ -20,11 +20,12 @@ struct vtkOITStatistics
   int NumberOfPeels = 0;
   std::int64_t NumberOfLostFragments = 0;
   bool SkippedHiddenFragments = false;
-  std::string Algorithm; // that drew; empty: none
-  std::string Reason;    // why that one
-  std::string Summary;   // what was skipped, and why; empty: nothing
-  std::string Warning;   // that another method draws, and why, one line; empty: none does
-  std::string Fault;     // what is wrong with the picture, one line; empty: nothing
+  std::int64_t SharedAllocations = 0; // of an A-buffer
+  std::string Algorithm;              // that drew; empty: none
+  std::string Reason;                 // why that one
+  std::string Summary;                // what was skipped, and why; empty: nothing
+  std::string Warning; // that another method draws, and why, one line; empty: none does
+  std::string Fault;   // what is wrong with the picture, one line; empty: nothing
 
   /// Not exact, with this bound on the error of a colour.
   void NoteError(double bound)
@@ -70,6 +71,7 @@ struct vtkOITStatistics
     }
     this->NumberOfPeels += part.NumberOfPeels;
     this->NumberOfLostFragments += part.NumberOfLostFragments;
+    this->SharedAllocations += part.SharedAllocations;
     this->SkippedHiddenFragments = this->SkippedHiddenFragments || part.SkippedHiddenFragments;
     this->AddError(part.ErrorBound);
     this->Exact = this->Exact && part.Exact;

@@ -3,17 +3,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Composites the lists that Sort has sorted, front to back: C += T alpha c, T -= T alpha. Runs once
-// a sample in multisampled framebuffers.
-//
-// Fragments of one depth form a group, in which each counts once: the group's opacity is
-// 1 - prod(1 - alpha), its colour the mean of the members weighted by alpha; light lies on top of it.
-// With OIT_LAST_ON_TOP each fragment is a group of its own: Sort has the last drawn before the others.
-//
-// The rounding error of T -= T alpha is kept and added again (Kahan, Further remarks on reducing
-// truncation errors, CACM 1965): a thousand layers of opacity 1e-6 would be 1 % off without. Not for
-// the first 64, which are blended as Resolve would: what it has behind a group of opacity 1, or has
-// not, does not change the picture then. Nothing is seen behind such a group, so it ends the walk,
-// as does a transmittance of at most the threshold.
+// a sample in multisampled framebuffers. Groups: vtkOITABufferGroupsFS.glsl.
 //
 // With OIT_DEFERRED fragments are lit here, in this order: what is not seen is not lit.
 
@@ -44,33 +34,7 @@ vec4 oitGetColorOf(OITFragment fragment, uint node)
 #define OIT_IS_COVERED(fragment) true
 #endif
 
-// The sum, and what rounding took from it. A function of its own: glslangValidator, the reference
-// compiler, does not end where `precise` stands in a loop.
-vec2 oitAdd(float value, float change)
-{
-  precise float sum = value + change;
-  precise float rest = change - (sum - value);
-  return vec2(sum, rest);
-}
-
-#ifdef OIT_HAS_LIGHT
-#define OIT_ADD_LIGHT color += transmittance * light;
-#else
-#define OIT_ADD_LIGHT
-#endif
-
-#define OIT_BLEND_GROUP                                                                            \
-  {                                                                                                \
-    OIT_ADD_LIGHT                                                                                  \
-    float w = transmittance * opacity;                                                             \
-    color += members > 1u ? transmittance * (weighted * (opacity / weight)) : w * latest;          \
-    vec2 sum = oitAdd(transmittance, rest - w);                                                    \
-    ++groups;                                                                                      \
-    rest = groups > OIT_PLAIN_GROUPS && opacity < 1.0 ? sum.y : 0.0;                               \
-    transmittance = opacity < 1.0 ? sum.x : 0.0;                                                   \
-  }
-
-const uint OIT_PLAIN_GROUPS = 64u; // the first is empty; the error of the last one counts behind it
+//VTK::OIT::Groups
 
 uniform float oitThreshold; // of the transmittance
 
@@ -98,18 +62,7 @@ void main()
 
   vec3 color = vec3(0.0);
   float transmittance = 1.0;
-  float rest = 0.0; // what rounding took from the transmittance
-  // The group so far, and its depth.
-  uint key = OIT_NO_KEY;
-  float opacity = 0.0;
-  float weight = 0.0;
-  vec3 weighted = vec3(0.0);
-  uint members = 0u;
-  vec3 latest = vec3(0.0);
-  uint groups = 0u;
-#ifdef OIT_HAS_LIGHT
-  vec3 light = vec3(0.0);
-#endif
+  OIT_DECLARE_GROUP
   while (node != OIT_END && transmittance > oitThreshold)
   {
     OITFragment fragment = oitRead(node);
@@ -120,28 +73,10 @@ void main()
       if (!OIT_IS_OF_GROUP(fragment))
       {
         OIT_BLEND_GROUP
-        key = fragment.Key;
-        opacity = 0.0;
-        weight = 0.0;
-        weighted = vec3(0.0);
-        members = 0u;
-#ifdef OIT_HAS_LIGHT
-        light = vec3(0.0);
-#endif
+        OIT_BEGIN_GROUP(fragment.Key)
       }
       vec4 c = oitGetColorOf(fragment, current);
-#ifdef OIT_HAS_LIGHT
-      light += oitGetAdded(c);
-      if (c.a > 1.0)
-      {
-        continue;
-      }
-#endif
-      opacity += (1.0 - opacity) * c.a;
-      weight += c.a;
-      weighted += c.a * c.rgb;
-      latest = c.rgb;
-      ++members;
+      OIT_ADD_TO_GROUP(c)
     }
   }
   if (transmittance > oitThreshold)

@@ -12,7 +12,7 @@ void main()
   uint node = imageLoad(oitHeads, ivec2(gl_FragCoord.xy) - oitOrigin).x;
   uint count = 0u;
   // After an overflow links lead to nodes that were never written.
-  if (oitOverflow == 0u)
+  if (!oitHasOverflown())
   {
     for (; node != OIT_END; ++count)
     {

@@ -4,9 +4,12 @@
 // Capture: the mapper's own shader, renamed oitShade(), leaves its colour in oitFragColor; this
 // main() prepends it to the list of the pixel.
 //
-// Nodes come from one counter. With OIT_HEAD_IN_TARGET a pixel takes a page of nodes at once, so
-// that its fragments lie in one cache line and few of them need the counter; after an overflow heads
-// go on through nodes that do not exist, so that the counter tells what is needed.
+// With OIT_HEAD_IN_TARGET a pixel takes a page of nodes at once, so that its fragments lie in one cache
+// line and few of them need a counter. Each region of the screen has its own part of the pool, and its
+// counter a cache line of its own, so that threads which draw different regions share none; or all
+// pixels take from one counter. Nothing is tested here: Check finds regions that were exceeded. A pixel
+// whose pages are beyond the capacity goes on through nodes that do not exist, of another counter: so the
+// first one passes the capacity by a page a pixel at most and cannot wrap, and both tell what is needed.
 //
 // The hardware's depth test against the opaque geometry runs before (early_fragment_tests), so a
 // fragment gets here exactly when plain blending would draw it. Shaders that write gl_FragDepth
@@ -19,6 +22,7 @@
 
 #ifdef OIT_HEAD_IN_TARGET
 inout uint oitHead;
+uniform vec3 oitRegionStrides; // words from one region to the next in x and y, and of the first one
 #elif defined(OIT_WRITES_DEPTH) && !defined(OIT_TEST_DEPTH)
 #define OIT_TEST_DEPTH
 #endif
@@ -94,7 +98,10 @@ void oitCapture()
   uint node = next + 1u;
   if (next == OIT_END || node % OIT_PAGE_SIZE == 0u)
   {
-    node = atomicAdd(oitNodeCount, OIT_PAGE_SIZE) + OIT_PAGE_SIZE;
+    vec2 region = floor(gl_FragCoord.xy / float(OIT_REGION_SIZE));
+    uint counter = uint(dot(region, oitRegionStrides.xy) + oitRegionStrides.z);
+    counter += next < uint(oitCapacity) ? 0u : uint(OIT_WORD_MISSING);
+    node = atomicAdd(oitCounterWords[counter], OIT_PAGE_SIZE);
   }
 #ifdef OIT_DEFERRED
   oitHead = isFull ? OIT_END : node;
@@ -104,14 +111,14 @@ void oitCapture()
   oitHead = node;
 #endif
 #else
-  uint node = atomicAdd(oitNodeCount, 1u) + 1u;
+  uint node = atomicAdd(oitNextNode, 1u);
+  if (node == uint(oitCapacity)) // once, however far the count goes
+  {
+    oitOverflow = 1u;
+  }
 #endif
   if (node >= uint(oitCapacity))
   {
-    if (node < uint(oitCapacity) + OIT_PAGE_SIZE) // not for each, however far the count goes
-    {
-      oitOverflow = 1u;
-    }
     return;
   }
 #ifndef OIT_HEAD_IN_TARGET

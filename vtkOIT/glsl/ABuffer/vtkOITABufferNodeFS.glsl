@@ -36,14 +36,20 @@ struct OITTile
 };
 layout(std430, binding = OIT_BUFFER_COUNTERS) buffer OITCounters
 {
-  uint oitNodeCount; // goes on counting beyond the capacity: the size that is needed
-  uint oitOverflow;      // set once the capacity is passed, stays when the count wraps
-  uint oitSkipped;       // bits of the largest transmittance in front of what was not composited
-  uint oitUnused;
+  uint oitNextNode;    // where there are no regions, or they are exceeded
+  uint oitMissingNode; // what pixels count on that are beyond the capacity: the size that is needed
+  uint oitOverflow;    // set by Gather where it may wrap, and by Check for a region
+  uint oitSkipped;     // bits of the largest transmittance in front of what was not composited
+  uint oitUnused[12];
   OITTile oitTiles[];
 };
+layout(std430, binding = OIT_BUFFER_COUNTERS) buffer OITCounterWords // the same memory, with the regions
+{
+  uint oitCounterWords[];
+};
 
-uniform int oitCapacity; // nodes, the unused one included
+uniform int oitCapacity; // nodes, the unused ones included
+bool oitHasOverflown() { return oitOverflow != 0u || oitNextNode > uint(oitCapacity); }
 uniform ivec2 oitOrigin; // framebuffer pixel of oitHeads' texel (0, 0)
 uniform ivec2 oitCorner; // lower left pixel of the rectangle that is being rendered
 uniform ivec2 oitSize;   // of that rectangle
@@ -57,7 +63,12 @@ int oitFindTile()
   return tile.y * oitTileColumns + tile.x;
 }
 
-#ifdef OIT_NODES_IN_IMAGE
+#ifdef OIT_NODES_IN_TEXTURE
+// Of stages that only read: llvmpipe gathers texels for eight pixels by vector instructions.
+uniform usamplerBuffer oitNodeTexels;
+uvec4 oitLoad(uint word) { return texelFetch(oitNodeTexels, int(word)); }
+uint oitLoadNext(uint word) { return oitLoad(word).w; }
+#elif defined(OIT_NODES_IN_IMAGE)
 layout(binding = OIT_IMAGE_NODES, rgba32ui) uniform uimageBuffer oitNodes;
 uvec4 oitLoad(uint word) { return imageLoad(oitNodes, int(word)); }
 uint oitLoadNext(uint word) { return imageLoad(oitNodes, int(word)).w; }

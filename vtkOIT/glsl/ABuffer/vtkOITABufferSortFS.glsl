@@ -19,28 +19,6 @@
 uniform int oitFirstWidth;
 uniform int oitLastWidth;
 
-// A total order. With OIT_LAST_ON_TOP a coincident fragment that was drawn later is before; otherwise
-// fragments that still compare equal are the same, so that the picture does not depend on the order in
-// which they were drawn, to the last bit.
-bool oitIsBefore(OITFragment a, OITFragment b)
-{
-  if (a.Key != b.Key) return a.Key < b.Key;
-#if defined(OIT_LAST_ON_TOP)
-  if (a.Order.x != b.Order.x) return a.Order.x > b.Order.x;
-  if (a.Order.y != b.Order.y) return a.Order.y > b.Order.y;
-  return a.Order.z > b.Order.z;
-#else
-  if (a.Color.x != b.Color.x) return a.Color.x < b.Color.x;
-#ifdef OIT_FLOAT_COLOR
-  if (a.Color.y != b.Color.y) return a.Color.y < b.Color.y;
-  if (a.Color.z != b.Color.z) return a.Color.z < b.Color.z;
-  return a.Color.w < b.Color.w;
-#else
-  return a.Color.y < b.Color.y;
-#endif
-#endif
-}
-
 #define OIT_LOAD(i)                                                                                \
   OITFragment f##i = OIT_NO_FRAGMENT;                                                            \
   if (node != OIT_END)                                                                             \

@@ -6,8 +6,9 @@
 // grid. llvmpipe runs every branch of a fragment shader for every pixel, so a shader that only some
 // pixels need must not be started elsewhere.
 
-uniform usamplerBuffer oitTileTexels;     // OITCounters as a texture: four words, then three a tile
+uniform usamplerBuffer oitTileTexels;     // OITCounters as a texture: OIT_COUNTER_WORDS, then three a tile
 uniform usamplerBuffer oitExpectedTexels; // depth complexity that is expected of each tile
+uniform int oitCapacity;
 uniform ivec2 oitTileDimensions;          // columns, rows
 uniform ivec2 oitTileClass; // smallest and largest expected depth complexity; or -1 and the mark
 flat out int oitNetworkSize; // of the first try; -1: this is the first
@@ -35,7 +36,8 @@ void main()
     oitNetworkSize = oitFindNetworkSize(expected);
     isMine = (texelFetch(oitTileTexels, OIT_COUNTER_WORDS + OIT_TILE_WORDS * tile).x & uint(oitTileClass.y)) != 0u;
   }
-  bool hasOverflown = texelFetch(oitTileTexels, OIT_WORD_OVERFLOW).x != 0u; // the frame will be rendered again
+  bool hasOverflown = texelFetch(oitTileTexels, OIT_WORD_OVERFLOW).x != 0u // the frame will be rendered again
+    || texelFetch(oitTileTexels, 0).x > uint(oitCapacity);
   if (!isMine || hasOverflown)
   {
     gl_Position = vec4(-2.0, -2.0, 0.0, 1.0);

@@ -9,6 +9,7 @@
 #define OIT_UNIT_STATE 13        // what pixels keep: state of peels, sums, tiles of the A-buffer
 #define OIT_UNIT_GATHERED 14     // what Gather has written; expected depth complexity of tiles
 #define OIT_UNIT_DEPTH 15        // opaque depth, or a layer
+#define OIT_UNIT_NODES 15        // the pool of the A-buffer, where it is only read
 #define OIT_UNIT_LIGHTS 12       // lights of deferred shading
 
 // Image units and storage buffers of the A-buffer, image unit of multi-layer peeling.
@@ -25,6 +26,7 @@
 #define OIT_LIGHT 2.0        // above all opacities: premultiplied light, see vtkOITFragmentFS.glsl
 #define OIT_RUN_SIZE 16      // nodes of the runs that Sort starts from
 #define OIT_SHORT_RUN 4      // the same until many lists were sorted: that compiles fast
+#define OIT_MERGED_RUN 32    // fragments of the runs that Merge sorts
 #define OIT_LONG_LIST 32     // fragments up to which all are composited, whatever the threshold
 #define OIT_NETWORK_COUNT 8  // sorting networks in registers, and the fragments that they take
 #define OIT_NETWORK_SIZES 4, 6, 8, 12, 16, 24, 32, 64
@@ -34,10 +36,14 @@
 #define OIT_VOLUME_PROJECTED 1 // one layer
 #define OIT_VOLUME_SLICE 2     // one layer, on a plane
 
-// A-buffer: counters in words of 32 bits, then the tiles.
-#define OIT_COUNTER_WORDS 4 // nodes, overflow, skipped, unused
-#define OIT_WORD_OVERFLOW 1
-#define OIT_WORD_SKIPPED 2
+// A-buffer: counters in words of 32 bits, a cache line; then the tiles, then a line for each region.
+#define OIT_COUNTER_WORDS 16 // next node, next one that does not exist, overflow, skipped
+#define OIT_WORD_MISSING 1
+#define OIT_WORD_OVERFLOW 2
+#define OIT_WORD_SKIPPED 3
+#define OIT_REGION_SIZE 64  // pixels a side: of the tiles that llvmpipe draws by one thread
+#define OIT_REGION_WORDS 16 // next node, next one that does not exist, end of the region
+#define OIT_REGION_END 2
 #define OIT_TILE_SIZE 16          // pixels a side
 #define OIT_TILE_WORDS 3          // depth complexity or marks; that of marked tiles; fragments
 #define OIT_TRY_AGAIN 0x20000000u // mark of a tile: some pixels need a second chance
