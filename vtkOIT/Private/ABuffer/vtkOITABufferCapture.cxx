@@ -41,7 +41,6 @@ vtkOITFailure vtkOITABufferEngine::Capture(const Task& task)
   }
   this->DepthCopyFailure = {};
   this->NumberOfDraws = 0;
-  this->HasSpecular = false;
   failure = task.Geometry.Draw(task.Frame.Props, this->Gather);
   if (this->HasDepthCopy)
   {

@@ -111,8 +111,7 @@ void vtkOITABufferEngine::ChooseShading(const Task& task)
     !frame.HasLight && !frame.Volumes && frame.Target.Samples == 0;
   const bool isLit =
     canDefer && !this->Lights.Update(frame) && this->Lights.GetNumberOfLights() > 0;
-  const bool canBeLit = isLit && this->Lights.GetNumberOfLights() <= this->MostLights;
-  this->Defers = canBeLit && (deferral == Deferral::Always || this->Lights.Pays(this->Defers));
+  this->Defers = isLit && (deferral == Deferral::Always || this->Lights.Pays(this->Defers));
   this->HasDrawn = true;
 }
 
@@ -146,6 +145,7 @@ void vtkOITABufferEngine::ChooseShaders(const Task& task)
   shaders.HasLight = task.Frame.HasLight;
   shaders.Volumes = task.Frame.Volumes != nullptr;
   shaders.Deferred = this->Defers;
+  shaders.Specular = this->Defers && this->HasSpecular;
   this->Gather.SetReplacements(this->Defers ? &this->DeferredText : nullptr);
   this->Gather.SetStage(shaders.GetGather());
   if (shaders.Volumes)
@@ -303,13 +303,6 @@ vtkOITFailure vtkOITABufferEngine::DrawBand(const Task& task, std::int64_t& need
     {
       return failure;
     }
-    if (!counters.Overflow && this->Resolver.IsTooDeep(counters))
-    {
-      this->Defers = false;
-      this->MostLights =
-        this->Lights.GetNumberOfLights() - 1; // so that not each frame tries in vain
-      continue;
-    }
     const std::int64_t capacity = this->Store.GetCapacity();
     if (!counters.Overflow)
     {
@@ -341,7 +334,8 @@ vtkOITFailure vtkOITABufferEngine::Resolve(
   const Task& task, vtkOITFragmentStore::Counters& counters)
 {
   task.Frame.BeginOutput(this->Band);
-  this->Resolver.SetLights(this->Defers ? &this->Lights : nullptr, this->HasSpecular);
+  this->ChooseShaders(task); // with what is known of materials now
+  this->Resolver.SetLights(this->Defers ? &this->Lights : nullptr);
   std::string fault;
   bool areDrawn = false;
   std::function<void()> drawVolumes;

@@ -8,11 +8,13 @@
 #include "vtkOITABufferCompositeFS.h"
 #include "vtkOITABufferCountFS.h"
 #include "vtkOITABufferGatherFS.h"
+#include "vtkOITABufferLeaveFS.h"
 #include "vtkOITABufferNodeFS.h"
 #include "vtkOITABufferReadFS.h"
 #include "vtkOITABufferRegistersFS.h"
 #include "vtkOITABufferResolveFS.h"
 #include "vtkOITABufferSecondChanceFS.h"
+#include "vtkOITABufferShadeFS.h"
 #include "vtkOITABufferSortFS.h"
 #include "vtkOITABufferTileVS.h"
 #include "vtkOITDeferredGatherFS.h"
@@ -31,7 +33,7 @@ bool vtkOITABufferShaders::operator==(const vtkOITABufferShaders& other) const
   {
     return std::tie(s.Samples, s.FloatColor, s.NodesInImage, s.FramebufferFetch,
       s.PostDepthCoverage, s.HeadInTarget, s.ClampColor, s.FineDerivatives, s.LastOnTop,
-      s.Interlock, s.HasLight, s.Volumes, s.Deferred);
+      s.Interlock, s.HasLight, s.Volumes, s.Deferred, s.Specular);
   };
   return tie(*this) == tie(other);
 }
@@ -93,6 +95,8 @@ vtkOITShaderText vtkOITABufferShaders::MakeStage(const char* file) const
   this->AddVariant(text);
   text.Insert("Read", vtkOITABufferReadFS);
   text.Insert("RegisterMacros", vtkOITABufferRegistersFS);
+  text.Insert("Light", std::string(vtkOITDeferredMaterialFS) + vtkOITDeferredLightFS);
+  text.Define("OIT_HAS_SPECULAR", this->Specular);
   return text;
 }
 
@@ -118,7 +122,7 @@ std::string vtkOITABufferShaders::GetTileVertexShader()
 std::string vtkOITABufferShaders::GetCount() const
 {
   return this->MakeStage(vtkOITABufferCountFS)
-    .Define("OIT_COUNTS_FRAGMENTS", this->Volumes || this->Deferred)
+    .Define("OIT_COUNTS_FRAGMENTS", this->Volumes)
     .GetText();
 }
 
@@ -131,7 +135,8 @@ std::string vtkOITABufferShaders::GetResolve(int networkSize) const
     text.Require({ "GL_ARB_derivative_control" });
   }
   return text.Define("OIT_FINE_DERIVATIVES", this->FineDerivatives)
-    .Define("OIT_ENDS_LONG_LISTS", networkSize > OIT_LONG_LIST)
+    .Define("OIT_ENDS_LONG_LISTS", networkSize > OIT_LONG_LIST && !this->Deferred)
+    .Define("OIT_NETWORK_SIZE", networkSize)
     .Insert("Registers", vtkOITRegisterResolve(networkSize))
     .GetText();
 }
@@ -139,6 +144,10 @@ std::string vtkOITABufferShaders::GetResolve(int networkSize) const
 //------------------------------------------------------------------------------
 std::string vtkOITABufferShaders::GetSecondChance() const
 {
+  if (this->Deferred)
+  {
+    return this->MakeStage(vtkOITABufferLeaveFS).GetText();
+  }
   return this->MakeOutputStage(vtkOITABufferSecondChanceFS)
     .Define("OIT_ENDS_LONG_LISTS")
     .Insert("Registers", vtkOITRegisterSelect(OIT_LONG_LIST, KeptFragments))
@@ -148,6 +157,10 @@ std::string vtkOITABufferShaders::GetSecondChance() const
 //------------------------------------------------------------------------------
 std::string vtkOITABufferShaders::GetWalk() const
 {
+  if (this->Deferred)
+  {
+    return this->MakeStage(vtkOITABufferLeaveFS).GetText();
+  }
   return this->MakeOutputStage(vtkOITABufferSecondChanceFS)
     .Define("OIT_ENDS_LONG_LISTS")
     .Insert("Registers", vtkOITRegisterWalk(WalkedFragments, LongestWalk))
@@ -165,12 +178,16 @@ std::string vtkOITABufferShaders::GetSort(int runSize) const
 }
 
 //------------------------------------------------------------------------------
-std::string vtkOITABufferShaders::GetComposite(bool hasSpecular) const
+std::string vtkOITABufferShaders::GetShade() const
+{
+  return this->MakeStage(vtkOITABufferShadeFS).GetText();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITABufferShaders::GetComposite() const
 {
   return this->MakeOutputStage(vtkOITABufferCompositeFS)
     .Define("OIT_VOLUMES", this->Volumes)
-    .Define("OIT_HAS_SPECULAR", hasSpecular)
-    .Insert("Light", std::string(vtkOITDeferredMaterialFS) + vtkOITDeferredLightFS)
     .GetText();
 }
 

@@ -225,6 +225,10 @@ void vtkOITLights::SetUniforms(
     2.0f / static_cast<float>(v.Width), 2.0f / static_cast<float>(v.Height) };
   program->SetUniformMatrix("oitFromClip", fromClip);
   program->SetUniform4f("oitViewportMap", map);
+  const float nothing[FloatsPerLight] = {};
+  const float* first = this->Ends[0] > 0 ? this->Texels.data() : nothing;
+  program->SetUniform3f("oitFirstAlong", first);
+  program->SetUniform3f("oitFirstColor", first + 4);
   program->SetUniformi("oitIsHeadlight", this->IsHeadlight ? 1 : 0);
   program->SetUniformi("oitLightTexels", textureUnit);
   // VTK has no vector of three integers.

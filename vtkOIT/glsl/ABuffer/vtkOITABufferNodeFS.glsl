@@ -60,6 +60,7 @@ int oitFindTile()
 #ifdef OIT_NODES_IN_IMAGE
 layout(binding = OIT_IMAGE_NODES, rgba32ui) uniform uimageBuffer oitNodes;
 uvec4 oitLoad(uint word) { return imageLoad(oitNodes, int(word)); }
+uint oitLoadKey(uint word) { return imageLoad(oitNodes, int(word)).x; }
 uint oitLoadNext(uint word) { return imageLoad(oitNodes, int(word)).w; }
 void oitStore(uint word, uvec4 value) { imageStore(oitNodes, int(word), value); }
 void oitStoreNext(uint word, uint next)
@@ -79,6 +80,7 @@ layout(std430, binding = OIT_BUFFER_NODES) buffer OITNodeWords // the same memor
 };
 uvec4 oitLoad(uint word) { return oitNodes[word]; }
 void oitStore(uint word, uvec4 value) { oitNodes[word] = value; }
+uint oitLoadKey(uint word) { return oitNodeWords[4u * word]; }
 uint oitLoadNext(uint word) { return oitNodeWords[4u * word + 3u]; }
 void oitStoreNext(uint word, uint next) { oitNodeWords[4u * word + 3u] = next; }
 #endif

@@ -7,24 +7,19 @@
 
 uvec4 oitPackMaterial(float opacity, out uvec2 first)
 {
-  const vec4 largest = vec4(65504.0);
 #ifdef OIT_CAPTURES
+  const vec4 largest = vec4(65504.0);
   uint normal = oitPackNormal(oitNormal);
   bool isLit = normal != OIT_UNLIT;
   vec3 factor = oitFragColor.rgb;
   vec3 diffuse = isLit ? oitDiffuse * factor : vec3(0.0);
   vec3 specular = isLit ? oitSpecular * factor : vec3(0.0);
   vec3 ambient = oitAmbient * factor;
-  float power = oitPower;
-#else
-  uint normal = OIT_UNLIT;
-  vec3 diffuse = vec3(0.0);
-  vec3 specular = vec3(0.0);
-  vec3 ambient = oitFragColor.rgb;
-  float power = 0.0;
-#endif
   uvec2 d = oitPackUpTo(vec4(diffuse, ambient.b), largest);
-  uvec2 a = oitPackUpTo(vec4(ambient.rg, opacity, power), largest);
+  uvec2 a = oitPackUpTo(vec4(ambient.rg, opacity, oitPower), largest);
   first = uvec2(a.y, normal);
   return uvec4(d, a.x, oitPackShared(specular));
+#else
+  return oitPackShaded(vec4(oitFragColor.rgb, opacity), first);
+#endif
 }

@@ -8,11 +8,14 @@
 //
 // Lights are in a buffer texture, those of a kind together: four texels each, position or direction
 // and attenuation x, colour and attenuation y, axis and cosine of the cone, attenuation z and
-// exponent.
+// exponent. The first directional one is in uniforms, too, which a software renderer reads once for all
+// pixels of a block.
 
 uniform samplerBuffer oitLightTexels;
 uniform ivec2 oitLightEnds;  // of the directional and of the positional ones; spot lights follow
 uniform int oitLightCount;
+uniform vec3 oitFirstAlong;  // direction of the first directional light
+uniform vec3 oitFirstColor;
 uniform int oitIsHeadlight;  // the only light is one at the camera
 uniform vec4 oitViewportMap; // origin in pixels, and clip coordinates a pixel
 uniform mat4 oitFromClip;    // clip coordinates to view coordinates
@@ -25,6 +28,7 @@ struct OITMaterial
   float Power;
   vec3 Normal; // of length 1
   bool IsLit;
+  float Opacity;
 };
 
 #ifdef OIT_DEFERRED // nodes of the A-buffer
@@ -39,14 +43,23 @@ OITMaterial oitUnpackMaterial(uvec2 first, uvec4 second)
   m.Power = a.a;
   m.Normal = oitUnpackNormal(first.y);
   m.IsLit = first.y != OIT_UNLIT;
+  m.Opacity = a.b;
   return m;
 }
 #endif
 
-vec3 oitFindPosition(float depth)
+// Clip coordinates to those of the view are a sum of this, once for a pixel, and a part for each depth.
+vec4 oitOfPixel;
+
+void oitBeginLight()
 {
   vec2 clip = (gl_FragCoord.xy - oitViewportMap.xy) * oitViewportMap.zw - 1.0;
-  vec4 p = oitFromClip * vec4(clip, 2.0 * depth - 1.0, 1.0);
+  oitOfPixel = oitFromClip * vec4(clip, -1.0, 1.0);
+}
+
+vec3 oitFindPosition(float depth)
+{
+  vec4 p = oitOfPixel + 2.0 * depth * oitFromClip[2];
   return p.xyz / p.w;
 }
 
@@ -78,6 +91,10 @@ vec3 oitLight(OITMaterial m, float depth)
   // None for what has no normal: then loops end where no pixel needs them.
   ivec3 ends = m.IsLit ? ivec3(oitLightEnds, oitLightCount) : ivec3(0);
   int i = 0;
+  for (; i < min(ends.x, 1); ++i)
+  {
+    oitAddLight(lit, m, view, towards, oitFirstAlong, oitFirstColor);
+  }
   for (; i < ends.x; ++i)
   {
     vec3 along = texelFetch(oitLightTexels, 4 * i).xyz;
@@ -102,3 +119,21 @@ vec3 oitLight(OITMaterial m, float depth)
   }
   return m.Ambient + lit.Diffuse * m.Diffuse + lit.Specular * m.Specular;
 }
+
+// As a colour that was shaded in the geometry pass is stored.
+vec3 oitClampLight(vec3 color)
+{
+#ifdef OIT_CLAMP_COLOR
+  return clamp(color, 0.0, 1.0);
+#else
+  return clamp(color, 0.0, 65504.0);
+#endif
+}
+
+#ifdef OIT_DEFERRED
+vec4 oitLightNode(uvec4 first, uvec4 second)
+{
+  OITMaterial m = oitUnpackMaterial(first.yz, second);
+  return vec4(oitClampLight(oitLight(m, uintBitsToFloat(first.x))), m.Opacity);
+}
+#endif

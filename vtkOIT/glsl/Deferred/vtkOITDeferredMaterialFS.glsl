@@ -46,3 +46,12 @@ vec3 oitUnpackShared(uint bits)
   vec3 c = vec3(uvec3(bits, bits >> 9u, bits >> 18u) & 511u);
   return c * uintBitsToFloat(((bits >> 27u) + 103u) << 23u);
 }
+
+// What is shaded already, in the two parts of a node.
+uvec4 oitPackShaded(vec4 color, out uvec2 first)
+{
+  uvec2 d = oitPackUpTo(vec4(vec3(0.0), color.b), vec4(65504.0));
+  uvec2 a = oitPackUpTo(vec4(color.rg, color.a, 0.0), vec4(65504.0));
+  first = uvec2(a.y, OIT_UNLIT);
+  return uvec4(d, a.x, oitPackShared(vec3(0.0)));
+}
