@@ -29,10 +29,11 @@ constexpr int HeadlightOnly = 1;    // of vtkOpenGLRenderer::GetLightingComplexi
 constexpr double WidestCone = 90.0; // degrees; from there on a positional light has none
 
 // What a light costs when mappers compute it for each fragment, less what it costs later, in the unit of
-// a directional one; and what it takes to make up for larger fragments that are sorted in memory.
+// a directional one; and what it takes to make up for larger fragments, some of which are sorted in memory
+// until the networks for them are compiled.
 // Measured with llvmpipe: docs/vtkOITDeferredPeelingPass.md.
-constexpr double PositionalCost = 2.2;
-constexpr double Overhead = 7.8;
+constexpr double PositionalCost = 2.3;
+constexpr double Overhead = 4.5;
 
 enum Kind
 {
