@@ -75,6 +75,7 @@ void vtkOITABufferEngine::SetUniforms(const Task& task, vtkShaderProgram* progra
   task.Frame.GLState->vtkglDepthMask(GL_FALSE);
   this->Store.SetUniforms(program);
   this->HasSpecular = this->HasSpecular || vtkOITDeferredText::IsReflecting(prop);
+  this->HasPhysical = this->HasPhysical || vtkOITDeferredText::IsPhysical(prop);
   if (this->Shaders.HasDrawOrder())
   {
     program->SetUniformi("oitDrawNumber", this->NumberOfDraws++);

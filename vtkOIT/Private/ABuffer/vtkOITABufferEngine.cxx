@@ -146,6 +146,8 @@ void vtkOITABufferEngine::ChooseShaders(const Task& task)
   shaders.Volumes = task.Frame.Volumes != nullptr;
   shaders.Deferred = this->Defers;
   shaders.Specular = this->Defers && this->HasSpecular;
+  shaders.Physical = this->Defers && this->HasPhysical;
+  this->DeferredText.SetTakesPhysical(true);
   this->Gather.SetReplacements(this->Defers ? &this->DeferredText : nullptr);
   this->Gather.SetStage(shaders.GetGather());
   if (shaders.Volumes)

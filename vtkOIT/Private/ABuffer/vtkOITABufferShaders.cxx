@@ -33,7 +33,8 @@ bool vtkOITABufferShaders::operator==(const vtkOITABufferShaders& other) const
   {
     return std::tie(s.Samples, s.FloatColor, s.NodesInImage, s.FramebufferFetch,
       s.PostDepthCoverage, s.HeadInTarget, s.ClampColor, s.FineDerivatives, s.LastOnTop,
-      s.Interlock, s.HasLight, s.Volumes, s.Deferred, s.Specular);
+      s.Interlock, s.HasLight, s.Volumes, s.Deferred, s.Specular,
+      s.Physical);
   };
   return tie(*this) == tie(other);
 }
@@ -97,6 +98,7 @@ vtkOITShaderText vtkOITABufferShaders::MakeStage(const char* file) const
   text.Insert("RegisterMacros", vtkOITABufferRegistersFS);
   text.Insert("Light", std::string(vtkOITDeferredMaterialFS) + vtkOITDeferredLightFS);
   text.Define("OIT_HAS_SPECULAR", this->Specular);
+  text.Define("OIT_HAS_PHYSICAL", this->Physical);
   return text;
 }
 

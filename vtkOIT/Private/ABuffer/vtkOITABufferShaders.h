@@ -30,6 +30,7 @@ struct vtkOITABufferShaders
   bool Volumes = false;   // rays of volumes walk the lists
   bool Deferred = false;  // nodes have materials, which are lit after sorting
   bool Specular = false;  // some material may reflect lights
+  bool Physical = false;  // some material is lit by physically based rendering
 
   bool operator==(const vtkOITABufferShaders& other) const;
 

@@ -107,7 +107,7 @@ LightTexels Describe(vtkLight* light, Kind kind, const ToView& toView)
   {
     texels[i] = static_cast<float>(kind == Directional ? direction[i] : position[i]);
     texels[4 + i] = static_cast<float>(light->GetDiffuseColor()[i] * light->GetIntensity());
-    texels[8 + i] = static_cast<float>(direction[i]);
+    texels[8 + i] = static_cast<float>(kind == Directional ? position[i] : direction[i]);
   }
   const double* attenuation = light->GetAttenuationValues();
   texels[3] = static_cast<float>(attenuation[0]);
@@ -230,6 +230,7 @@ void vtkOITLights::SetUniforms(
   const float* first = this->Ends[0] > 0 ? this->Texels.data() : nothing;
   program->SetUniform3f("oitFirstAlong", first);
   program->SetUniform3f("oitFirstColor", first + 4);
+  program->SetUniform3f("oitFirstPosition", first + 8);
   program->SetUniformi("oitIsHeadlight", this->IsHeadlight ? 1 : 0);
   program->SetUniformi("oitLightTexels", textureUnit);
   // VTK has no vector of three integers.
