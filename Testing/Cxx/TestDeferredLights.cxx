@@ -96,8 +96,7 @@ void CheckThatLightsMatter(Report& report, const Setup& setup)
 }
 
 /// Programs of the context, while lights come, move and go.
-void CheckThatLightsCompileNothing(
-  Report& report, const Setup& setup, const LitMaterial& material)
+void CheckThatLightsCompileNothing(Report& report, const Setup& setup, const LitMaterial& material)
 {
   Rig rig(setup, Width, Height);
   AddLitScene(rig.Renderer, material);

@@ -78,7 +78,7 @@ private:
   bool HasDrawn = false;    // a frame
   bool HasSpecular = false; // a material has reflected lights so far
   bool HasPhysical = false; // a material had physically based rendering so far
-  bool IsWhole = false; // the last frame was drawn in one band, which the store still holds
+  bool IsWhole = false;     // the last frame was drawn in one band, which the store still holds
   std::int64_t NumberOfFragments = 0; // of the last frame
 };
 

@@ -282,8 +282,8 @@ vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
   }
   if (drawVolumes && !failure)
   {
-    failure = this->CompositeStage.Prepare(frame.Window, GetTileVertexShader().c_str(),
-      [this] { return this->Shaders.GetComposite(); });
+    failure = this->CompositeStage.Prepare(
+      frame.Window, GetTileVertexShader().c_str(), [this] { return this->Shaders.GetComposite(); });
     if (!failure)
     {
       drawVolumes();
@@ -307,8 +307,8 @@ vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
 vtkOITFailure vtkOITABufferResolver::Composite(
   const vtkOITFrame& frame, const vtkOITFragmentStore& store, const std::array<int, 2>& tileClass)
 {
-  return this->DrawTiles(this->CompositeStage, frame, store, tileClass,
-    [this] { return this->Shaders.GetComposite(); });
+  return this->DrawTiles(
+    this->CompositeStage, frame, store, tileClass, [this] { return this->Shaders.GetComposite(); });
 }
 
 //------------------------------------------------------------------------------

@@ -33,8 +33,7 @@ bool vtkOITABufferShaders::operator==(const vtkOITABufferShaders& other) const
   {
     return std::tie(s.Samples, s.FloatColor, s.NodesInImage, s.FramebufferFetch,
       s.PostDepthCoverage, s.HeadInTarget, s.ClampColor, s.FineDerivatives, s.LastOnTop,
-      s.Interlock, s.HasLight, s.Volumes, s.Deferred, s.Specular,
-      s.Physical);
+      s.Interlock, s.HasLight, s.Volumes, s.Deferred, s.Specular, s.Physical);
   };
   return tie(*this) == tie(other);
 }

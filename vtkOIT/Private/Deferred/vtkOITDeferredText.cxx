@@ -46,8 +46,9 @@ constexpr const char* Variables = "#define OIT_CAPTURES\n"
 /// on it is about lights, the others are in front of it, and the last one tells that nothing is lit by
 /// an image.
 constexpr const char* PhysicalLighting = "vec3 L, H, radiance";
-constexpr std::array<const char*, 4> PhysicalNames = { "vec3 albedo =", "vec3 N =", "float f90 =",
-  "vec3 irradiance = vec3(0.0);" };
+constexpr std::array<const char*, 4> PhysicalNames = {
+  "vec3 albedo =", "vec3 N =", "float f90 =", "vec3 irradiance = vec3(0.0);"
+};
 constexpr const char* PhysicalKept = "oitAmbient = emissiveColor;\n"
                                      "  oitDiffuse = (1.0 - metallic) * recPI * albedo;\n"
                                      "  oitSpecular = F0;\n"
@@ -116,8 +117,8 @@ bool IsTooPhysical(vtkAbstractMapper* mapper, vtkActor* actor)
       return std::find(PhysicalTextures.begin(), PhysicalTextures.end(), texture.first) ==
         PhysicalTextures.end();
     });
-  return property->GetAnisotropy() != 0.0 || property->GetCoatStrength() != 0.0 ||
-    tint[0] != 1.0 || tint[1] != 1.0 || tint[2] != 1.0 || hasOthers || actor->GetTexture() ||
+  return property->GetAnisotropy() != 0.0 || property->GetCoatStrength() != 0.0 || tint[0] != 1.0 ||
+    tint[1] != 1.0 || tint[2] != 1.0 || hasOthers || actor->GetTexture() ||
     actor->GetBackfaceProperty() || !scalars ||
     (scalars->GetScalarVisibility() && scalars->GetInterpolateScalarsBeforeMapping());
 }
@@ -189,8 +190,7 @@ bool vtkOITDeferredText::CanDefer(vtkAbstractMapper* mapper, vtkProp* prop) cons
   vtkProperty* property = actor->GetProperty();
   const bool isKnown = std::any_of(KnownMappers.begin(), KnownMappers.end(),
     [&](const char* name) { return std::strcmp(name, mapper->GetClassName()) == 0; });
-  const bool isHard =
-    IsPhysical(actor) && !(this->TakesPhysical && !IsTooPhysical(mapper, actor));
+  const bool isHard = IsPhysical(actor) && !(this->TakesPhysical && !IsTooPhysical(mapper, actor));
   return isKnown && !isHard && !ChangesShaders(actor) && !HasOtherPasses(actor) &&
     !HasWideParts(mapper, property);
 }
