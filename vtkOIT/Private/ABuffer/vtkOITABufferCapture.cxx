@@ -73,7 +73,6 @@ void vtkOITABufferEngine::SetUniforms(const Task& task, vtkShaderProgram* progra
 {
   // An actor may have been told to write depth; translucent ones must not.
   task.Frame.GLState->vtkglDepthMask(GL_FALSE);
-  this->Store.SetUniforms(program);
   this->HasSpecular = this->HasSpecular || vtkOITDeferredText::IsReflecting(prop);
   this->HasPhysical = this->HasPhysical || vtkOITDeferredText::IsPhysical(prop);
   if (this->Shaders.HasDrawOrder())

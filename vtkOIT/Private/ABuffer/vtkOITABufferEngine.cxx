@@ -196,6 +196,8 @@ vtkOITFailure vtkOITABufferEngine::Draw(const vtkOITFrame& frame, const vtkOITSe
   }
   this->NumberOfFragments = 0;
   this->Resolver.SetThreshold(FindThreshold(frame, settings));
+  this->Gather.SetPassUniforms(
+    [this](vtkShaderProgram* program) { this->Store.SetUniforms(program); });
   this->Gather.SetUniforms([this, &task](vtkShaderProgram* program, vtkProp* prop)
     { this->SetUniforms(task, program, prop); });
   this->ChooseCapture(task);
@@ -204,6 +206,7 @@ vtkOITFailure vtkOITABufferEngine::Draw(const vtkOITFrame& frame, const vtkOITSe
   this->Bands.Begin(frame.Rectangle, largestBand);
   vtkOITFailure failure = this->DrawBands(task);
   this->Gather.SetUniforms({});
+  this->Gather.SetPassUniforms({});
   if (this->NumberOfFragments < this->Store.GetCapacity() / 2)
   {
     this->Bands.Forget();

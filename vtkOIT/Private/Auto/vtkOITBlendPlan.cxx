@@ -8,6 +8,7 @@
 #include "Private/Auto/vtkOITPropOrder.h"
 #include "Private/Frame/vtkOITCapabilities.h"
 #include "Private/Frame/vtkOITFrame.h"
+#include "Private/Frame/vtkOITPropInput.h"
 #include "Private/Frame/vtkOITScreenExtents.h"
 
 #include "vtkActor.h"
@@ -108,7 +109,7 @@ bool FindShapes(Island& island, vtkOITMeshShapes& shapes)
     {
       return false;
     }
-    std::copy_n(item->Prop->GetBounds(), 6, item->Bounds.begin());
+    vtkOITGetBounds(item->Prop, item->Bounds.data());
   }
   return true;
 }

@@ -5,6 +5,7 @@
 #include "Private/Auto/vtkOITMeshShapes.h"
 #include "Private/Frame/vtkOITCompatibility.h"
 #include "Private/Frame/vtkOITFrame.h"
+#include "Private/Frame/vtkOITPropInput.h"
 #include "Private/Volume/vtkOITVolumes.h"
 
 #include "vtkActor.h"
@@ -201,7 +202,7 @@ void vtkOITFrameSignature::AddProps(const vtkOITFrame& frame)
       return;
     }
     this->Add(prop);
-    this->Add(actor->GetRedrawMTime());
+    this->Add(vtkOITGetRedrawMTime(actor));
     this->AddDoubles(actor->GetMatrix()->GetData(), 16);
     if (vtkPlaneCollection* planes = actor->GetMapper()->GetClippingPlanes())
     {

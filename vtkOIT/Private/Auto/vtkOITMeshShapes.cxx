@@ -3,9 +3,9 @@
 #include "Private/Auto/vtkOITMeshShapes.h"
 
 #include "Private/Frame/vtkOITCompatibility.h"
+#include "Private/Frame/vtkOITPropInput.h"
 
 #include "vtkActor.h"
-#include "vtkAlgorithm.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
@@ -33,7 +33,7 @@ vtkPolyData* FindPlainSurface(vtkActor* actor)
   {
     return nullptr;
   }
-  actor->GetMapper()->GetInputAlgorithm()->Update();
+  vtkOITUpdateInput(actor->GetMapper());
   auto* mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
   vtkProperty* property = actor->GetProperty();
   const bool isPlain = mesh && !vtkOITDrawsSelection(actor->GetMapper(), 0) &&

@@ -5,6 +5,7 @@
 #include "Private/Auto/vtkOITPartialOrder.h"
 #include "Private/Auto/vtkOITPropOrder.h"
 #include "Private/Frame/vtkOITFrame.h"
+#include "Private/Frame/vtkOITPropInput.h"
 #include "Private/Volume/vtkOITVolumes.h"
 
 #include "vtkProp.h"
@@ -21,10 +22,9 @@ vtkOITPlacedProp Place(vtkProp* prop, const vtkOITScreenExtent& extent)
   vtkOITPlacedProp placed;
   placed.Prop = prop;
   placed.Extent = &extent;
-  const double* bounds = extent.IsBounded ? prop->GetBounds() : nullptr;
-  if (bounds)
+  if (extent.IsBounded)
   {
-    std::copy(bounds, bounds + 6, placed.Bounds.begin());
+    vtkOITGetBounds(prop, placed.Bounds.data());
   }
   return placed;
 }

@@ -110,6 +110,7 @@ vtkOITFailure vtkOITGatherHook::RenderBy(
   }
   this->Failure = {};
   this->NumberOfDraws = 0;
+  this->Ready.clear();
   if (HasOtherPasses(state))
   {
     this->Binding = vtkOITDrawBinding::Query();
@@ -233,7 +234,17 @@ bool vtkOITGatherHook::SetShaderParameters(
   }
   ++this->NumberOfDraws;
   const bool isDrawn = !this->Failure || !DrawsNothing(program);
-  if (isDrawn && this->Gather && this->Gather->Setter)
+  if (!isDrawn || !this->Gather)
+  {
+    return true;
+  }
+  if (this->Gather->PassSetter &&
+    std::find(this->Ready.begin(), this->Ready.end(), program) == this->Ready.end())
+  {
+    this->Gather->PassSetter(program);
+    this->Ready.push_back(program);
+  }
+  if (this->Gather->Setter)
   {
     this->Gather->Setter(program, prop);
   }

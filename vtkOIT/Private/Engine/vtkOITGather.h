@@ -45,6 +45,11 @@ public:
   using UniformSetter = std::function<void(vtkShaderProgram* program, vtkProp* prop)>;
   void SetUniforms(UniformSetter setUniforms) { this->Setter = std::move(setUniforms); }
 
+  /// Called once in each geometry pass for each program, before its first draw: what does not depend
+  /// on the prop.
+  using PassUniformSetter = std::function<void(vtkShaderProgram* program)>;
+  void SetPassUniforms(PassUniformSetter setUniforms) { this->PassSetter = std::move(setUniforms); }
+
   /// What VTK calls.
   vtkOITGatherHook* GetHook() const;
 
@@ -52,6 +57,7 @@ private:
   vtkSmartPointer<vtkOITGatherHook> Hook;
   const vtkOITReplacements* Replacements = nullptr;
   UniformSetter Setter;
+  PassUniformSetter PassSetter;
   friend class vtkOITGatherHook;
 };
 

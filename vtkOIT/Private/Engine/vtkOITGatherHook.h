@@ -16,6 +16,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <vector>
 
 class vtkOITGather;
 
@@ -79,6 +80,7 @@ private:
   std::optional<vtkOITDrawBinding> Binding;
   std::deque<Text> Known;                       // the last one first
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of Known, and that is drawn into
+  std::vector<vtkShaderProgram*> Ready;         // of those that have their uniforms in this pass
   vtkOITFailure Failure;                        // while drawing
   int NumberOfDraws = 0;
   int NumberOfTexts = 0;

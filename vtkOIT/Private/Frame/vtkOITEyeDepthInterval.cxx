@@ -4,6 +4,7 @@
 
 #include "Private/Frame/vtkOITCompatibility.h"
 #include "Private/Frame/vtkOITFrame.h"
+#include "Private/Frame/vtkOITPropInput.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
@@ -34,9 +35,8 @@ vtkOITEyeDepthInterval vtkOITEyeDepthInterval::Find(const vtkOITFrame& frame)
   for (vtkProp* prop : frame.Props)
   {
     auto* prop3D = vtkProp3D::SafeDownCast(prop);
-    const double* bounds =
-      prop3D && vtkOITIsInWorldCoordinates(prop3D) ? prop->GetBounds() : nullptr;
-    if (!bounds)
+    double bounds[6];
+    if (!prop3D || !vtkOITIsInWorldCoordinates(prop3D) || !vtkOITGetBounds(prop, bounds))
     {
       return interval;
     }

@@ -3,6 +3,7 @@
 #include "Private/Frame/vtkOITScreenExtents.h"
 
 #include "Private/Frame/vtkOITCompatibility.h"
+#include "Private/Frame/vtkOITPropInput.h"
 
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
@@ -22,18 +23,28 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <iterator>
 #include <limits>
-#include <string>
 
 namespace
 {
 /// Mappers that draw nothing outside of their bounds but the width of points and lines.
 bool StaysInBounds(vtkMapper* mapper)
 {
-  static const std::array<std::string, 5> names = { "vtkOpenGLPolyDataMapper", "vtkDataSetMapper",
-    "vtkCompositePolyDataMapper", "vtkCompositePolyDataMapper2", "vtkPolyDataMapper" };
-  return mapper && std::find(names.begin(), names.end(), mapper->GetClassName()) != names.end();
+  static constexpr std::array<const char*, 5> names = { "vtkOpenGLPolyDataMapper",
+    "vtkDataSetMapper", "vtkCompositePolyDataMapper", "vtkCompositePolyDataMapper2",
+    "vtkPolyDataMapper" };
+  return mapper &&
+    std::any_of(names.begin(), names.end(),
+      [mapper](const char* name) { return std::strcmp(mapper->GetClassName(), name) == 0; });
+}
+
+/// Bounds know nothing of a perspective transformation.
+bool IsAffine(vtkMatrix4x4* matrix)
+{
+  return matrix->GetElement(3, 0) == 0.0 && matrix->GetElement(3, 1) == 0.0 &&
+    matrix->GetElement(3, 2) == 0.0 && matrix->GetElement(3, 3) == 1.0;
 }
 
 bool MovesVertices(vtkShaderProperty* shader)
@@ -52,7 +63,7 @@ double FindMargin(vtkProp* prop)
   }
   auto* actor = vtkActor::SafeDownCast(prop);
   if (!actor || !StaysInBounds(actor->GetMapper()) || MovesVertices(actor->GetShaderProperty()) ||
-    !vtkOITIsInWorldCoordinates(actor))
+    !vtkOITIsInWorldCoordinates(actor) || !IsAffine(actor->GetMatrix()))
   {
     return -1.0;
   }
@@ -110,8 +121,8 @@ vtkOITScreenExtent FindExtent(
   vtkOITScreenExtent result;
   result.Rectangle = viewport;
   const double propMargin = FindMargin(prop);
-  const double* bounds = propMargin < 0.0 ? nullptr : prop->GetBounds();
-  if (!bounds)
+  double bounds[6];
+  if (propMargin < 0.0 || !vtkOITGetBounds(prop, bounds))
   {
     return result;
   }

@@ -3,6 +3,7 @@
 #include "Private/Plan/vtkOITGroups.h"
 
 #include "Private/Frame/vtkOITCompatibility.h"
+#include "Private/Frame/vtkOITPropInput.h"
 
 #include "vtkBoundingBox.h"
 
@@ -24,9 +25,9 @@ constexpr double BehindAll = std::numeric_limits<double>::max();
 double FindDepth(vtkProp* prop, const glm::dmat4& projection, double withoutBounds)
 {
   auto* prop3D = vtkProp3D::SafeDownCast(prop);
-  const double* bounds =
-    prop3D && !vtkOITIsInWorldCoordinates(prop3D) ? nullptr : prop->GetBounds();
-  if (!bounds || !vtkBoundingBox::IsValid(bounds))
+  double bounds[6];
+  if ((prop3D && !vtkOITIsInWorldCoordinates(prop3D)) || !vtkOITGetBounds(prop, bounds) ||
+    !vtkBoundingBox::IsValid(bounds))
   {
     return withoutBounds;
   }
