@@ -91,7 +91,7 @@ public:
   ///@}
 
   /// Let the A-buffer light fragments after it has sorted them, where there are many lights: see
-  /// vtkOITDeferredPeelingPass. That is from 8 directional or 4 positional lights on, and until there
+  /// vtkOITDeferredPeelingPass. That is from 5 directional or 2 positional lights on, and until there
   /// are half as many, so that lights that come and go seldom compile shaders. Within one step of 255
   /// of what it is without, and 32 bytes for a fragment instead of 16. Default on.
   ///@{

@@ -15,8 +15,9 @@
  *
  * 1. Gather: as vtkOITABufferPass does, in one geometry pass, but a fragment has its ambient,
  *    diffuse and specular colour, specular power and normal instead of a shaded colour.
- * 2. All lists are sorted by depth.
- * 3. A pixel walks its list front to back, lights a fragment and composites it, `C += T α c`,
+ * 2. Lists are sorted by depth, up to 64 fragments by networks in registers, as vtkOITABufferPass does;
+ *    others, with coincident fragments, or in the first frames, in memory.
+ * 3. A pixel goes through its list front to back, lights a fragment and composites it, `C += T α c`,
  *    `T -= T α` in float32, until the transmittance is at most TransmittanceThreshold. The lights
  *    are in a buffer: adding, moving or removing one compiles no shader.
  *
@@ -28,12 +29,13 @@
  *
  * Light is VTK's: headlights, directional and positional lights with attenuation and cone, ambient,
  * diffuse and specular, normals turned to the viewer; within one step of 255 of vtkOITABufferPass.
- * What cannot be lit later is shaded in the geometry pass, as VTK does it, prop by prop: physically
- * based rendering, props with shader replacements, or whose shaders other render passes change,
- * points and lines of more than 2 pixels, spheres and tubes, and mappers that are not known. So is
- * everything in frames with volumes between the layers, with emissive Gaussians, in multisampled
- * framebuffers, with FragmentPrecision FLOAT, and in lists of more than 60000 fragments times
- * lights a pixel.
+ * A_BUFFER: so is physically based rendering, with its textures of colour, normal, occlusion, roughness
+ * and metal, and emission. What cannot be lit later is shaded in the geometry pass, as VTK does it, prop
+ * by prop: light by images, anisotropy, clear coats and tinted edges of physically based rendering (all of
+ * that with PEELING), props with shader replacements, or whose shaders other render passes change, points
+ * and lines of more than 2 pixels, spheres and tubes, and mappers that are not known. So is everything in
+ * frames with volumes between the layers, with emissive Gaussians, in multisampled framebuffers, and with
+ * FragmentPrecision FLOAT.
  *
  * A_BUFFER: geometry passes and needs as vtkOITABufferPass; memory: 4 bytes per pixel, 32 bytes per
  * fragment. PEELING: N + 1 geometry passes for N layers; needs as vtkOITDepthPeelingPass; memory: 152

@@ -142,7 +142,8 @@ vtkSmartPointer<vtkOITPass> Setup::CreatePass() const
   {
     return CreateContenderPass(this->Method);
   }
-  const bool hasNetworks = this->Method == "abuffer" && this->HasNetworksAtOnce;
+  const bool hasLists = this->Method == "abuffer" || this->Method == "deferred-abuffer";
+  const bool hasNetworks = hasLists && this->HasNetworksAtOnce;
   vtksys::SystemTools::PutEnv(hasNetworks ? "VTKOIT_NETWORKS=1" : "VTKOIT_NETWORKS=0");
   auto pass = vtkSmartPointer<vtkOITPass>::Take(vtkOITPassFactory::CreatePass(this->Method));
   if (pass)

@@ -90,6 +90,49 @@ void AddTexture(vtkActor* actor, int components)
   actor->SetTexture(texture);
 }
 
+vtkSmartPointer<vtkTexture> MakeTexture(int first, int range, bool isSRGB)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(4, 4, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* texel = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int i = 0; i < 48; ++i)
+  {
+    texel[i] = static_cast<unsigned char>(first + (i * 67) % range);
+  }
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(image);
+  texture->SetColorModeToDirectScalars();
+  texture->InterpolateOn();
+  texture->SetUseSRGBColorSpace(isSRGB);
+  return texture;
+}
+
+void MakePhysical(vtkActor* actor)
+{
+  vtkProperty* property = actor->GetProperty();
+  property->SetInterpolationToPBR();
+  property->SetMetallic(0.4);
+  property->SetRoughness(0.3);
+}
+
+void AddPhysicalTextures(vtkActor* actor, vtkPolyData* mesh)
+{
+  vtkNew<vtkFloatArray> tangents;
+  tangents->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    tangents->InsertNextTuple3(1.0, 0.0, 0.0);
+  }
+  mesh->GetPointData()->SetTangents(tangents);
+  vtkProperty* property = actor->GetProperty();
+  property->SetBaseColorTexture(MakeTexture(55, 200, true));
+  property->SetORMTexture(MakeTexture(90, 150, false));
+  property->SetEmissiveTexture(MakeTexture(10, 60, true));
+  property->SetNormalTexture(MakeTexture(140, 60, false));
+  property->SetOcclusionStrength(0.7);
+}
+
 void MakeShiny(vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
@@ -219,12 +262,46 @@ const std::vector<LitMaterial>& GetLitMaterials()
         a->GetProperty()->SetPointSize(8.0f);
         a->GetProperty()->SetRenderPointsAsSpheres(true);
       } },
-    { "physically based",
+    { "physically based", [](vtkActor* a, vtkPolyData*) { MakePhysical(a); } },
+    { "physically based and polished",
       [](vtkActor* a, vtkPolyData*)
       {
-        a->GetProperty()->SetInterpolationToPBR();
-        a->GetProperty()->SetMetallic(0.4);
-        a->GetProperty()->SetRoughness(0.3);
+        MakePhysical(a);
+        a->GetProperty()->SetMetallic(1.0);
+        a->GetProperty()->SetRoughness(0.2);
+      } },
+    { "physically based with textures",
+      [](vtkActor* a, vtkPolyData* mesh)
+      {
+        MakePhysical(a);
+        AddPhysicalTextures(a, mesh);
+      } },
+    { "physically based with colours",
+      [](vtkActor* a, vtkPolyData*)
+      {
+        MakePhysical(a);
+        ShowArray(a, "colors", false);
+        a->GetMapper()->SetColorModeToDirectScalars();
+      } },
+    { "physically based and anisotropic",
+      [](vtkActor* a, vtkPolyData* mesh)
+      {
+        MakePhysical(a);
+        AddPhysicalTextures(a, mesh);
+        a->GetProperty()->SetAnisotropy(0.6);
+      } },
+    { "physically based under a clear coat",
+      [](vtkActor* a, vtkPolyData*)
+      {
+        MakePhysical(a);
+        a->GetProperty()->SetCoatStrength(0.8);
+        a->GetProperty()->SetCoatRoughness(0.2);
+      } },
+    { "physically based with tinted edges",
+      [](vtkActor* a, vtkPolyData*)
+      {
+        MakePhysical(a);
+        a->GetProperty()->SetEdgeTint(1.0, 0.6, 0.2);
       } },
     { "with a shader replacement",
       [](vtkActor* a, vtkPolyData*)

@@ -32,8 +32,7 @@ void vtkOITABufferEngine::ChooseShading(const Task& task)
     !frame.HasLight && !frame.Volumes && frame.Target.Samples == 0;
   const bool isLit =
     canDefer && !this->Lights.Update(frame) && this->Lights.GetNumberOfLights() > 0;
-  const bool canBeLit = isLit && this->Lights.GetNumberOfLights() <= this->MostLights;
-  this->Defers = canBeLit && (deferral == Deferral::Always || this->Lights.Pays(this->Defers));
+  this->Defers = isLit && (deferral == Deferral::Always || this->Lights.Pays(this->Defers));
   this->HasDrawn = true;
 }
 
@@ -61,7 +60,6 @@ vtkOITFailure vtkOITABufferEngine::Capture(const Task& task)
   }
   this->DepthCopyFailure = {};
   this->NumberOfDraws = 0;
-  this->HasSpecular = false;
   failure = task.Geometry.Draw(task.Frame.Props, this->Gather);
   if (this->HasDepthCopy)
   {
@@ -115,6 +113,7 @@ void vtkOITABufferEngine::SetUniforms(const Task& task, vtkShaderProgram* progra
   // An actor may have been told to write depth; translucent ones must not.
   task.Frame.GLState->vtkglDepthMask(GL_FALSE);
   this->HasSpecular = this->HasSpecular || vtkOITDeferredText::IsReflecting(prop);
+  this->HasPhysical = this->HasPhysical || vtkOITDeferredText::IsPhysical(prop);
   if (this->Shaders.HasDrawOrder())
   {
     program->SetUniformi("oitDrawNumber", this->NumberOfDraws++);

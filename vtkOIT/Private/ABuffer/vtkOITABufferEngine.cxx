@@ -132,6 +132,9 @@ void vtkOITABufferEngine::ChooseShaders(const Task& task)
   shaders.HasLight = task.Frame.HasLight;
   shaders.Volumes = task.Frame.Volumes != nullptr;
   shaders.Deferred = this->Defers;
+  shaders.Specular = this->Defers && this->HasSpecular;
+  shaders.Physical = this->Defers && this->HasPhysical;
+  this->DeferredText.SetTakesPhysical(true);
   this->Gather.SetReplacements(this->Defers ? &this->DeferredText : nullptr);
   this->Gather.SetStage(shaders.GetGather());
   if (shaders.Volumes)
@@ -294,13 +297,6 @@ vtkOITFailure vtkOITABufferEngine::DrawBand(const Task& task, std::int64_t& need
     {
       return failure;
     }
-    if (!counters.Overflow && this->Resolver.IsTooDeep(counters))
-    {
-      this->Defers = false;
-      this->MostLights =
-        this->Lights.GetNumberOfLights() - 1; // so that not each frame tries in vain
-      continue;
-    }
     const std::int64_t capacity = this->Store.GetCapacity();
     if (counters.Overflow && this->Store.GetRegions())
     {
@@ -339,7 +335,8 @@ vtkOITFailure vtkOITABufferEngine::Resolve(
   const Task& task, vtkOITFragmentStore::Counters& counters)
 {
   task.Frame.BeginOutput(this->Band);
-  this->Resolver.SetLights(this->Defers ? &this->Lights : nullptr, this->HasSpecular);
+  this->ChooseShaders(task); // with what is known of materials now
+  this->Resolver.SetLights(this->Defers ? &this->Lights : nullptr);
   std::string fault;
   bool areDrawn = false;
   std::function<void()> drawVolumes;

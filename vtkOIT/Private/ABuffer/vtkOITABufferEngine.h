@@ -17,8 +17,6 @@
 #include "Private/Frame/vtkOITBands.h"
 #include "Private/GL/vtkOITDepthCopy.h"
 
-#include <limits>
-
 class vtkFloatArray;
 class vtkProp;
 
@@ -80,11 +78,11 @@ private:
   bool HeadInTargetWorks = true;
   vtkOITDeferredText DeferredText;
   vtkOITLights Lights;
-  bool Defers = false;                              // shading, in this frame or the last one
-  bool HasDrawn = false;                            // a frame
-  int MostLights = std::numeric_limits<int>::max(); // for the lists that there were
-  bool HasSpecular = false;                         // a material of this frame reflects lights
-  bool IsWhole = false; // the last frame was drawn in one band, which the store still holds
+  bool Defers = false;      // shading, in this frame or the last one
+  bool HasDrawn = false;    // a frame
+  bool HasSpecular = false; // a material has reflected lights so far
+  bool HasPhysical = false; // a material had physically based rendering so far
+  bool IsWhole = false;     // the last frame was drawn in one band, which the store still holds
   std::int64_t NumberOfFragments = 0; // of the last frame
 };
 

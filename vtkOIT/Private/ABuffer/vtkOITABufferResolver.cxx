@@ -26,13 +26,13 @@ constexpr GLbitfield Barriers =
   GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT;
 
 // Loop iterations that one draw may spend on a list, below llvmpipe's 65535.
-constexpr int SortBudget = 60000;
+constexpr int LoopBudget = 60000;
 
 /// The draws of Sort for lists of `length` nodes, as first and last merge width of each.
 std::vector<std::pair<int, int>> PlanSort(int length, int runSize)
 {
   // A merge visits each node once, and once more to find the second run of each pair.
-  const int mergesPerDraw = std::clamp(SortBudget / (2 * length) - 1, 1, 20);
+  const int mergesPerDraw = std::clamp(LoopBudget / (2 * length) - 1, 1, 20);
   std::vector<std::pair<int, int>> draws;
   int width = runSize;
   do
@@ -74,8 +74,8 @@ void vtkOITABufferResolver::Release()
   {
     stage.Release();
   }
+  this->ShadeStage.Release();
   this->CompositeStage.Release();
-  this->SpecularStage.Release();
 }
 
 //------------------------------------------------------------------------------
@@ -96,7 +96,7 @@ vtkOITFailure vtkOITABufferResolver::Resolve(const vtkOITFrame& frame, vtkOITFra
   if (sortsAll || (this->TileStages.CompileAtOnce() && this->DepthComplexity.IsEmpty()))
   {
     vtkOITFailure failure = this->Count(frame, store, counters);
-    if (failure || counters.Overflow || this->IsTooDeep(counters))
+    if (failure || counters.Overflow)
     {
       return failure;
     }
@@ -106,6 +106,11 @@ vtkOITFailure vtkOITABufferResolver::Resolve(const vtkOITFrame& frame, vtkOITFra
     this->DepthComplexity.GetExpected(store.GetTileGrid());
   store.SetExpected(expected);
   this->PrepareOutput(frame, store);
+  const bool isLit = this->Shaders.Deferred && this->Lights;
+  if (isLit)
+  {
+    this->Lights->Bind(frame.GLState, OIT_UNIT_LIGHTS);
+  }
   vtkOITFailure failure = sortsAll
     ? this->DrawLists(frame, store, counters, AllTiles, drawVolumes)
     : this->DrawExpected(frame, store, this->TileStages.FindDraws(expected, this->Shaders));
@@ -113,6 +118,10 @@ vtkOITFailure vtkOITABufferResolver::Resolve(const vtkOITFrame& frame, vtkOITFra
   {
     const vtkOITFailure later = this->DrawWhatIsLeft(frame, store, counters);
     fault = later.GetReason();
+  }
+  if (isLit)
+  {
+    this->Lights->Unbind(frame.GLState, OIT_UNIT_LIGHTS);
   }
   store.UnbindTiles(frame.GLState, OIT_UNIT_STATE);
   return failure;
@@ -303,11 +312,14 @@ vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
   else if (hasLists)
   {
     failure = this->SortLists(frame, store, counters, tileClass);
+    const auto longest =
+      static_cast<int>(*std::max_element(counters.Tiles.begin(), counters.Tiles.end()));
+    failure = failure ? failure : this->ShadeLongLists(frame, store, longest, tileClass);
   }
   if (drawVolumes && !failure)
   {
-    failure = this->CompositeStage.Prepare(frame.Window, GetTileVertexShader().c_str(),
-      [this] { return this->Shaders.GetComposite(false); });
+    failure = this->CompositeStage.Prepare(
+      frame.Window, GetTileVertexShader().c_str(), [this] { return this->Shaders.GetComposite(); });
     if (!failure)
     {
       drawVolumes();
@@ -331,35 +343,37 @@ vtkOITFailure vtkOITABufferResolver::DrawLists(const vtkOITFrame& frame,
 vtkOITFailure vtkOITABufferResolver::Composite(
   const vtkOITFrame& frame, const vtkOITFragmentStore& store, const std::array<int, 2>& tileClass)
 {
-  const bool isLit = this->Shaders.Deferred && this->Lights;
-  const bool hasSpecular = isLit && this->HasSpecular;
-  if (isLit)
-  {
-    this->Lights->Bind(frame.GLState, OIT_UNIT_LIGHTS);
-  }
-  vtkOITFailure failure = this->DrawTiles(
-    hasSpecular ? this->SpecularStage : this->CompositeStage, frame, store, tileClass,
-    [&] { return this->Shaders.GetComposite(hasSpecular); },
-    [&](vtkShaderProgram* program)
-    {
-      if (isLit)
-      {
-        this->Lights->SetUniforms(program, frame, OIT_UNIT_LIGHTS);
-      }
-    });
-  if (isLit)
-  {
-    this->Lights->Unbind(frame.GLState, OIT_UNIT_LIGHTS);
-  }
-  return failure;
+  return this->DrawTiles(
+    this->CompositeStage, frame, store, tileClass, [this] { return this->Shaders.GetComposite(); });
 }
 
 //------------------------------------------------------------------------------
-bool vtkOITABufferResolver::IsTooDeep(const vtkOITFragmentStore::Counters& counters) const
+// What one draw of Composite cannot light is lit before it, some fragments of each list at a time.
+vtkOITFailure vtkOITABufferResolver::ShadeLongLists(const vtkOITFrame& frame,
+  const vtkOITFragmentStore& store, int longest, const std::array<int, 2>& tileClass)
 {
-  const std::int64_t longest = *std::max_element(counters.Tiles.begin(), counters.Tiles.end());
-  const int lights = this->Lights ? this->Lights->GetNumberOfLights() : 0;
-  return this->Shaders.Deferred && longest * (1 + lights) > SortBudget;
+  const int lights = this->Shaders.Deferred && this->Lights ? this->Lights->GetNumberOfLights() : 0;
+  if (static_cast<std::int64_t>(longest) * (1 + lights) <= LoopBudget)
+  {
+    return {};
+  }
+  const int step = std::max(1, (LoopBudget - LongestList) / (1 + lights));
+  vtkOpenGLState* state = frame.GLState;
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE); // Shade has no output
+  vtkOITFailure failure;
+  for (int first = 0; first < longest && !failure; first += step)
+  {
+    failure = this->DrawTiles(
+      this->ShadeStage, frame, store, tileClass, [this] { return this->Shaders.GetShade(); },
+      [&](vtkShaderProgram* program)
+      {
+        program->SetUniformi("oitFirstFragment", first);
+        program->SetUniformi("oitLastFragment", first + step - 1);
+      });
+    glMemoryBarrier(Barriers);
+  }
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  return failure;
 }
 
 //------------------------------------------------------------------------------
@@ -379,6 +393,10 @@ vtkOITFailure vtkOITABufferResolver::DrawTiles(vtkOITScreenStage& stage, const v
     program->SetUniform2i("oitTileDimensions", dimensions);
     program->SetUniform2i("oitTileClass", tileClass.data());
     program->SetUniformf("oitThreshold", this->Threshold);
+    if (this->Shaders.Deferred && this->Lights)
+    {
+      this->Lights->SetUniforms(program, frame, OIT_UNIT_LIGHTS);
+    }
     if (setMore)
     {
       setMore(program);

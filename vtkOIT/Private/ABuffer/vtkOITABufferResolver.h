@@ -29,7 +29,8 @@ class vtkShaderProgram;
  *
  * Multisampled framebuffers: Count, then all lists are sorted and composited once a sample. Frames
  * with volumes: Count, all lists are sorted, volumes are drawn, what they leave is composited.
- * Deferred shading: Count, all lists are sorted, their fragments are lit and composited.
+ * Deferred shading: networks sort and light, and what they do not take is sorted, lit and composited;
+ * there is no Walk and no second chance.
  */
 class vtkOITABufferResolver
 {
@@ -48,19 +49,10 @@ public:
   /// Behind a transmittance of at most this, long lists need not be composited. Default 0.
   void SetThreshold(float threshold) { this->Threshold = threshold; }
 
-  /// With shaders for deferred shading: the lights, and whether a material reflects them. They must
-  /// outlive the next Resolve().
-  void SetLights(vtkOITLights* lights, bool hasSpecular)
-  {
-    this->Lights = lights;
-    this->HasSpecular = hasSpecular;
-  }
+  /// With shaders for deferred shading: the lights, which must outlive the next Resolve().
+  void SetLights(vtkOITLights* lights) { this->Lights = lights; }
 
   void Release();
-
-  /// Whether lists are too long for all of their fragments to be lit in one draw of a shader: then
-  /// Resolve() has drawn nothing.
-  bool IsTooDeep(const vtkOITFragmentStore::Counters& counters) const;
 
   /// The longest list that Sort and Composite can handle on every driver: one merge over it stays
   /// below llvmpipe's 65535 loop iterations of a shader.
@@ -85,6 +77,8 @@ private:
     const std::pair<int, int>& widths);
   vtkOITFailure Composite(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
     const std::array<int, 2>& tileClass);
+  vtkOITFailure ShadeLongLists(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
+    int longest, const std::array<int, 2>& tileClass);
   vtkOITFailure DrawLists(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
     vtkOITFragmentStore::Counters& counters, const std::array<int, 2>& tileClass,
     const std::function<void()>& drawVolumes = {});
@@ -105,10 +99,9 @@ private:
   /// The same for tiles with short lists only, with less to do.
   static constexpr std::array<int, 2> ShortLists = { 4, 8 };
   std::array<vtkOITScreenStage, ShortLists.size()> ShortSortStages;
+  vtkOITScreenStage ShadeStage;
   vtkOITScreenStage CompositeStage;
-  vtkOITScreenStage SpecularStage; // Composite where materials reflect lights
   vtkOITLights* Lights = nullptr;
-  bool HasSpecular = false;
 };
 
 #endif

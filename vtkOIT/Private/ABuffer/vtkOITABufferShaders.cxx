@@ -10,12 +10,14 @@
 #include "vtkOITABufferCountFS.h"
 #include "vtkOITABufferGatherFS.h"
 #include "vtkOITABufferGroupsFS.h"
+#include "vtkOITABufferLeaveFS.h"
 #include "vtkOITABufferMergeFS.h"
 #include "vtkOITABufferNodeFS.h"
 #include "vtkOITABufferReadFS.h"
 #include "vtkOITABufferRegistersFS.h"
 #include "vtkOITABufferResolveFS.h"
 #include "vtkOITABufferSecondChanceFS.h"
+#include "vtkOITABufferShadeFS.h"
 #include "vtkOITABufferSortFS.h"
 #include "vtkOITABufferTileVS.h"
 #include "vtkOITDeferredGatherFS.h"
@@ -34,7 +36,7 @@ bool vtkOITABufferShaders::operator==(const vtkOITABufferShaders& other) const
   {
     return std::tie(s.Samples, s.FloatColor, s.NodesInImage, s.NodesInTexture, s.FramebufferFetch,
       s.PostDepthCoverage, s.HeadInTarget, s.ClampColor, s.FineDerivatives, s.LastOnTop,
-      s.Interlock, s.HasLight, s.Volumes, s.Deferred);
+      s.Interlock, s.HasLight, s.Volumes, s.Deferred, s.Specular, s.Physical);
   };
   return tie(*this) == tie(other);
 }
@@ -96,6 +98,9 @@ vtkOITShaderText vtkOITABufferShaders::MakeStage(const char* file) const
   this->AddVariant(text);
   text.Insert("Read", vtkOITABufferReadFS);
   text.Insert("RegisterMacros", vtkOITABufferRegistersFS);
+  text.Insert("Light", std::string(vtkOITDeferredMaterialFS) + vtkOITDeferredLightFS);
+  text.Define("OIT_HAS_SPECULAR", this->Specular);
+  text.Define("OIT_HAS_PHYSICAL", this->Physical);
   return text;
 }
 
@@ -127,7 +132,7 @@ std::string vtkOITABufferShaders::GetCheck() const
 std::string vtkOITABufferShaders::GetCount() const
 {
   return this->MakeStage(vtkOITABufferCountFS)
-    .Define("OIT_COUNTS_FRAGMENTS", this->Volumes || this->Deferred)
+    .Define("OIT_COUNTS_FRAGMENTS", this->Volumes)
     .GetText();
 }
 
@@ -141,7 +146,8 @@ std::string vtkOITABufferShaders::GetResolve(int networkSize) const
   }
   return text.Define("OIT_FINE_DERIVATIVES", this->FineDerivatives)
     .Define("OIT_NODES_IN_TEXTURE", this->NodesInTexture)
-    .Define("OIT_ENDS_LONG_LISTS", networkSize > OIT_LONG_LIST)
+    .Define("OIT_ENDS_LONG_LISTS", networkSize > OIT_LONG_LIST && !this->Deferred)
+    .Define("OIT_NETWORK_SIZE", networkSize)
     .Insert("Registers", vtkOITRegisterResolve(networkSize))
     .GetText();
 }
@@ -149,6 +155,10 @@ std::string vtkOITABufferShaders::GetResolve(int networkSize) const
 //------------------------------------------------------------------------------
 std::string vtkOITABufferShaders::GetSecondChance() const
 {
+  if (this->Deferred)
+  {
+    return this->MakeStage(vtkOITABufferLeaveFS).GetText();
+  }
   return this->MakeOutputStage(vtkOITABufferSecondChanceFS)
     .Define("OIT_ENDS_LONG_LISTS")
     .Define("OIT_NODES_IN_TEXTURE", this->NodesInTexture)
@@ -159,6 +169,10 @@ std::string vtkOITABufferShaders::GetSecondChance() const
 //------------------------------------------------------------------------------
 std::string vtkOITABufferShaders::GetWalk() const
 {
+  if (this->Deferred)
+  {
+    return this->MakeStage(vtkOITABufferLeaveFS).GetText();
+  }
   return this->MakeOutputStage(vtkOITABufferSecondChanceFS)
     .Define("OIT_ENDS_LONG_LISTS")
     .Define("OIT_NODES_IN_TEXTURE", this->NodesInTexture)
@@ -190,13 +204,17 @@ std::string vtkOITABufferShaders::GetMerge(int runs) const
 }
 
 //------------------------------------------------------------------------------
-std::string vtkOITABufferShaders::GetComposite(bool hasSpecular) const
+std::string vtkOITABufferShaders::GetShade() const
+{
+  return this->MakeStage(vtkOITABufferShadeFS).GetText();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOITABufferShaders::GetComposite() const
 {
   return this->MakeOutputStage(vtkOITABufferCompositeFS)
     .Define("OIT_VOLUMES", this->Volumes)
-    .Define("OIT_HAS_SPECULAR", hasSpecular)
     .Insert("Groups", vtkOITABufferGroupsFS)
-    .Insert("Light", std::string(vtkOITDeferredMaterialFS) + vtkOITDeferredLightFS)
     .GetText();
 }
 

@@ -29,7 +29,9 @@ struct vtkOITABufferShaders
   bool Interlock = false; // in Gather, for the order of drawing
   bool HasLight = false;  // some props add light
   bool Volumes = false;   // rays of volumes walk the lists
-  bool Deferred = false;  // nodes have materials, which Composite lights
+  bool Deferred = false;  // nodes have materials, which are lit after sorting
+  bool Specular = false;  // some material may reflect lights
+  bool Physical = false;  // some material is lit by physically based rendering
 
   bool operator==(const vtkOITABufferShaders& other) const;
 
@@ -43,7 +45,7 @@ struct vtkOITABufferShaders
   }
   int GetBytesPerNode() const { return 16 * this->GetTexelsPerNode(); }
   /// All lists are sorted in memory, not only those that networks in registers leave.
-  bool SortsAll() const { return this->Volumes || this->Samples > 0 || this->Deferred; }
+  bool SortsAll() const { return this->Volumes || this->Samples > 0; }
 
   /// The stage on fragments of props.
   vtkOITShaderText GetGather() const;
@@ -55,7 +57,8 @@ struct vtkOITABufferShaders
   std::string GetCount() const;
   std::string GetResolve(int networkSize) const;
   std::string GetSecondChance() const;
-  /// In place of Resolve and SecondChance until their programs are compiled.
+  /// In place of Resolve and SecondChance until their programs are compiled. With deferred shading both
+  /// this and SecondChance are Leave, which leaves pixels for Sort and Composite.
   std::string GetWalk() const;
   /// `runSize`: fragments of the runs that it starts from, OIT_RUN_SIZE, OIT_SHORT_RUN or the length
   /// of short lists.
@@ -63,8 +66,9 @@ struct vtkOITABufferShaders
   /// In place of Sort and Composite, for lists of up to `runs` runs of OIT_MERGED_RUN fragments. Not for
   /// volumes, multisampling, deferred shading and LastOnTop.
   std::string GetMerge(int runs) const;
-  /// `hasSpecular`: some material may reflect lights.
-  std::string GetComposite(bool hasSpecular) const;
+  /// Lights some fragments of lists that Sort has sorted, for deferred shading.
+  std::string GetShade() const;
+  std::string GetComposite() const;
   /// Of a volume mapper, to which March was added (vtkOITVolumeText).
   std::string GetVolume(const std::string& mapperShader) const;
   ///@}

@@ -118,7 +118,8 @@ vtkOITTileStages::Draw vtkOITTileStages::FindMerge(
 {
   const bool isEarned = this->CompilesAtOnce || sortedTiles > TilesToCompile;
   const bool isLong = FindClass(longest) == LongLists;
-  for (std::size_t i = 0; i < MergedRuns.size() && isLong && isEarned && !shaders.LastOnTop; ++i)
+  const bool canMerge = isLong && isEarned && !shaders.LastOnTop && !shaders.Deferred;
+  for (std::size_t i = 0; i < MergedRuns.size() && canMerge; ++i)
   {
     const int runs = MergedRuns[i];
     if (static_cast<int>(longest) <= runs * OIT_MERGED_RUN)

@@ -17,12 +17,14 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <sstream>
 
 namespace
 {
 constexpr const char* Lighting = "//VTK::Light::Impl";
 constexpr const char* Declarations = "//VTK::Light::Dec";
 constexpr const char* Mark = "//VTK::OIT::Light::Impl";
+constexpr const char* PhysicalMark = "//VTK::OIT::Light::Physical";
 constexpr const char* Top = "//VTK::System::Dec";
 
 /// As VTK names them.
@@ -39,6 +41,29 @@ constexpr const char* Variables = "#define OIT_CAPTURES\n"
                                   "vec3 oitSpecular = vec3(0.0);\n"
                                   "vec3 oitNormal = vec3(0.0);\n"
                                   "float oitPower = 0.0;\n";
+
+/// Of physically based rendering, whose text VTK puts in the place of the mark: from the first of these
+/// on it is about lights, the others are in front of it, and the last one tells that nothing is lit by
+/// an image.
+constexpr const char* PhysicalLighting = "vec3 L, H, radiance";
+constexpr std::array<const char*, 4> PhysicalNames = {
+  "vec3 albedo =", "vec3 N =", "float f90 =", "vec3 irradiance = vec3(0.0);"
+};
+constexpr const char* PhysicalKept = "oitAmbient = emissiveColor;\n"
+                                     "  oitDiffuse = (1.0 - metallic) * recPI * albedo;\n"
+                                     "  oitSpecular = F0;\n"
+                                     "  oitPower = roughness;\n"
+                                     "  oitNormal = N;\n"
+                                     "  oitOcclusion = mix(1.0, ao, aoStrengthUniform);\n"
+                                     "  oitGrazing = mix(f90, 1.0, metallic);\n"
+                                     "  gl_FragData[0] = vec4(1.0, 1.0, 1.0, opacity);\n";
+constexpr const char* PhysicalVariables = "#define OIT_CAPTURES_PHYSICAL\n"
+                                          "float oitOcclusion = 1.0;\n"
+                                          "float oitGrazing = 1.0;\n";
+
+/// Textures that are read before the lighting.
+constexpr std::array<const char*, 4> PhysicalTextures = { "albedoTex", "materialTex", "normalTex",
+  "emissiveTex" };
 
 /// Those whose lighting is that of vtkOpenGLPolyDataMapper. Others may change it.
 constexpr std::array<const char*, 5> KnownMappers = { "vtkOpenGLPolyDataMapper",
@@ -78,6 +103,62 @@ bool HasWideParts(vtkAbstractMapper* mapper, vtkProperty* property)
     mesh->GetNumberOfVerts() > 0 || mesh->GetNumberOfLines() > 0;
 }
 
+/// Physically based rendering that is more than what is kept of it, or that VTK multiplies with textures behind
+/// it.
+bool IsTooPhysical(vtkAbstractMapper* mapper, vtkActor* actor)
+{
+  vtkProperty* property = actor->GetProperty();
+  auto* scalars = vtkMapper::SafeDownCast(mapper);
+  const double* tint = property->GetEdgeTint();
+  const auto& textures = property->GetAllTextures();
+  const bool hasOthers = std::any_of(textures.begin(), textures.end(),
+    [](const auto& texture)
+    {
+      return std::find(PhysicalTextures.begin(), PhysicalTextures.end(), texture.first) ==
+        PhysicalTextures.end();
+    });
+  return property->GetAnisotropy() != 0.0 || property->GetCoatStrength() != 0.0 || tint[0] != 1.0 ||
+    tint[1] != 1.0 || tint[2] != 1.0 || hasOthers || actor->GetTexture() ||
+    actor->GetBackfaceProperty() || !scalars ||
+    (scalars->GetScalarVisibility() && scalars->GetInterpolateScalarsBeforeMapping());
+}
+
+/// Uniforms of lights, of which there are as many as lights, and empty lines, which depend on their kind.
+void RemoveLights(std::string& text)
+{
+  constexpr std::array<const char*, 7> uniforms = { "vec3 lightColor", "vec3 lightDirectionVC",
+    "vec3 lightPositionVC", "vec3 lightAttenuation", "float lightConeAngle", "float lightExponent",
+    "int lightPositional" };
+  std::istringstream lines(text);
+  std::string kept;
+  for (std::string line; std::getline(lines, line);)
+  {
+    const bool isOfLight = std::any_of(uniforms.begin(), uniforms.end(),
+      [&](const char* uniform) { return Has(line, (std::string("uniform ") + uniform).c_str()); });
+    if (!isOfLight && line.find_first_not_of(" \t\r") != std::string::npos)
+    {
+      kept += line + '\n';
+    }
+  }
+  text = kept;
+}
+
+/// False for what is not as it is known; then nothing is changed.
+bool KeepPhysical(std::string& text)
+{
+  const std::size_t from = text.find(PhysicalLighting);
+  const std::size_t mark = text.find(PhysicalMark);
+  const bool isKnown = std::all_of(PhysicalNames.begin(), PhysicalNames.end(),
+    [&](const char* name) { return text.find(name) < from; });
+  if (!isKnown || from == std::string::npos || mark == std::string::npos || mark < from)
+  {
+    return false;
+  }
+  text.replace(from, mark - from, PhysicalKept);
+  RemoveLights(text);
+  return true;
+}
+
 bool ChangesShaders(vtkProp* prop)
 {
   auto* shaders = vtkOpenGLShaderProperty::SafeDownCast(prop->GetShaderProperty());
@@ -99,7 +180,7 @@ bool HasOtherPasses(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
-bool vtkOITDeferredText::CanDefer(vtkAbstractMapper* mapper, vtkProp* prop)
+bool vtkOITDeferredText::CanDefer(vtkAbstractMapper* mapper, vtkProp* prop) const
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   if (!mapper || !actor)
@@ -109,8 +190,9 @@ bool vtkOITDeferredText::CanDefer(vtkAbstractMapper* mapper, vtkProp* prop)
   vtkProperty* property = actor->GetProperty();
   const bool isKnown = std::any_of(KnownMappers.begin(), KnownMappers.end(),
     [&](const char* name) { return std::strcmp(name, mapper->GetClassName()) == 0; });
-  return isKnown && property->GetInterpolation() != VTK_PBR && !ChangesShaders(actor) &&
-    !HasOtherPasses(actor) && !HasWideParts(mapper, property);
+  const bool isHard = IsPhysical(actor) && !(this->TakesPhysical && !IsTooPhysical(mapper, actor));
+  return isKnown && !isHard && !ChangesShaders(actor) && !HasOtherPasses(actor) &&
+    !HasWideParts(mapper, property);
 }
 
 //------------------------------------------------------------------------------
@@ -122,10 +204,26 @@ bool vtkOITDeferredText::IsReflecting(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
+bool vtkOITDeferredText::IsPhysical(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  return actor && actor->GetProperty()->GetInterpolation() == VTK_PBR &&
+    actor->GetProperty()->GetLighting();
+}
+
+//------------------------------------------------------------------------------
 void vtkOITDeferredText::Before(
   std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) const
 {
-  if (CanDefer(mapper, prop))
+  if (!this->CanDefer(mapper, prop))
+  {
+    return;
+  }
+  if (IsPhysical(prop))
+  {
+    Replace(fragmentShader, Lighting, std::string(Lighting) + "\n  " + PhysicalMark + "\n");
+  }
+  else
   {
     Replace(fragmentShader, Lighting, Mark);
     Replace(fragmentShader, Declarations, "");
@@ -135,6 +233,10 @@ void vtkOITDeferredText::Before(
 //------------------------------------------------------------------------------
 void vtkOITDeferredText::After(std::string& fragmentShader) const
 {
+  if (Has(fragmentShader, PhysicalMark) && KeepPhysical(fragmentShader))
+  {
+    Replace(fragmentShader, Top, std::string(Top) + "\n" + Variables + PhysicalVariables);
+  }
   if (!Has(fragmentShader, Mark))
   {
     return;

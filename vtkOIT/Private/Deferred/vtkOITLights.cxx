@@ -29,10 +29,11 @@ constexpr int HeadlightOnly = 1;    // of vtkOpenGLRenderer::GetLightingComplexi
 constexpr double WidestCone = 90.0; // degrees; from there on a positional light has none
 
 // What a light costs when mappers compute it for each fragment, less what it costs later, in the unit of
-// a directional one; and what it takes to make up for larger fragments that are sorted in memory.
+// a directional one; and what it takes to make up for larger fragments, some of which are sorted in memory
+// until the networks for them are compiled.
 // Measured with llvmpipe: docs/vtkOITDeferredPeelingPass.md.
-constexpr double PositionalCost = 2.2;
-constexpr double Overhead = 7.8;
+constexpr double PositionalCost = 2.3;
+constexpr double Overhead = 4.5;
 
 enum Kind
 {
@@ -106,7 +107,7 @@ LightTexels Describe(vtkLight* light, Kind kind, const ToView& toView)
   {
     texels[i] = static_cast<float>(kind == Directional ? direction[i] : position[i]);
     texels[4 + i] = static_cast<float>(light->GetDiffuseColor()[i] * light->GetIntensity());
-    texels[8 + i] = static_cast<float>(direction[i]);
+    texels[8 + i] = static_cast<float>(kind == Directional ? position[i] : direction[i]);
   }
   const double* attenuation = light->GetAttenuationValues();
   texels[3] = static_cast<float>(attenuation[0]);
@@ -225,6 +226,11 @@ void vtkOITLights::SetUniforms(
     2.0f / static_cast<float>(v.Width), 2.0f / static_cast<float>(v.Height) };
   program->SetUniformMatrix("oitFromClip", fromClip);
   program->SetUniform4f("oitViewportMap", map);
+  const float nothing[FloatsPerLight] = {};
+  const float* first = this->Ends[0] > 0 ? this->Texels.data() : nothing;
+  program->SetUniform3f("oitFirstAlong", first);
+  program->SetUniform3f("oitFirstColor", first + 4);
+  program->SetUniform3f("oitFirstPosition", first + 8);
   program->SetUniformi("oitIsHeadlight", this->IsHeadlight ? 1 : 0);
   program->SetUniformi("oitLightTexels", textureUnit);
   // VTK has no vector of three integers.

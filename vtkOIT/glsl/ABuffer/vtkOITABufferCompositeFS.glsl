@@ -13,17 +13,7 @@
 
 #ifdef OIT_DEFERRED
 //VTK::OIT::Light
-vec4 oitGetColorOf(OITFragment fragment, uint node)
-{
-  OITMaterial m = oitUnpackMaterial(fragment.Color, oitLoad(OIT_WORD(node) + 1u));
-  vec3 color = oitLight(m, uintBitsToFloat(fragment.Key));
-#ifdef OIT_CLAMP_COLOR
-  const float largest = 1.0;
-#else
-  const float largest = 65504.0; // of what is stored shaded
-#endif
-  return vec4(min(max(color, 0.0), largest), oitUnpack(uvec2(fragment.Color.x)).r);
-}
+#define oitGetColorOf(fragment, node) oitLightNode(oitLoad(OIT_WORD(node)), oitLoad(OIT_WORD(node) + 1u))
 #else
 #define oitGetColorOf(fragment, node) oitUnpack(fragment.Color)
 #endif
@@ -49,8 +39,6 @@ void main()
 #endif
 #elif defined(OIT_VOLUMES)
   bool isMine = node != OIT_END && (node & OIT_LEFT) == 0u; // marked: a volume's ray was here
-#elif defined(OIT_DEFERRED)
-  bool isMine = node != OIT_END;
 #else
   bool isMine = (node & OIT_LEFT) != 0u;
   node &= ~OIT_LEFT;
@@ -60,6 +48,9 @@ void main()
     discard;
   }
 
+#ifdef OIT_DEFERRED
+  oitBeginLight();
+#endif
   vec3 color = vec3(0.0);
   float transmittance = 1.0;
   OIT_DECLARE_GROUP

@@ -67,10 +67,12 @@ int oitFindTile()
 // Of stages that only read: llvmpipe gathers texels for eight pixels by vector instructions.
 uniform usamplerBuffer oitNodeTexels;
 uvec4 oitLoad(uint word) { return texelFetch(oitNodeTexels, int(word)); }
+uint oitLoadKey(uint word) { return oitLoad(word).x; }
 uint oitLoadNext(uint word) { return oitLoad(word).w; }
 #elif defined(OIT_NODES_IN_IMAGE)
 layout(binding = OIT_IMAGE_NODES, rgba32ui) uniform uimageBuffer oitNodes;
 uvec4 oitLoad(uint word) { return imageLoad(oitNodes, int(word)); }
+uint oitLoadKey(uint word) { return imageLoad(oitNodes, int(word)).x; }
 uint oitLoadNext(uint word) { return imageLoad(oitNodes, int(word)).w; }
 void oitStore(uint word, uvec4 value) { imageStore(oitNodes, int(word), value); }
 void oitStoreNext(uint word, uint next)
@@ -90,6 +92,7 @@ layout(std430, binding = OIT_BUFFER_NODES) buffer OITNodeWords // the same memor
 };
 uvec4 oitLoad(uint word) { return oitNodes[word]; }
 void oitStore(uint word, uvec4 value) { oitNodes[word] = value; }
+uint oitLoadKey(uint word) { return oitNodeWords[4u * word]; }
 uint oitLoadNext(uint word) { return oitNodeWords[4u * word + 3u]; }
 void oitStoreNext(uint word, uint next) { oitNodeWords[4u * word + 3u] = next; }
 #endif

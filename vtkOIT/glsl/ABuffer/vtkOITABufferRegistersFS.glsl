@@ -4,20 +4,35 @@
 // Fragments in registers, for the stages Resolve and SecondChance: variables key0, color0, key1 and
 // so on. The text that loads, sorts and blends them is generated. Variables of the stage: the next
 // node, count of loaded ones, isTied; color and transmittance of what is composited.
+//
+// With OIT_DEFERRED a register holds the node of a fragment instead of its colour, and blending puts it
+// into an array: one loop lights what is seen, in order.
+
+#ifdef OIT_DEFERRED
+#define OITKept uint
+#define OIT_READ(i)                                                                                \
+  color##i = OIT_WORD(node);                                                                       \
+  key##i = oitLoadKey(color##i);                                                                   \
+  node = oitLoadNext(color##i);
+#else
+#define OITKept OITColor
+#define OIT_READ(i)                                                                                \
+  OITFragment f = oitRead(node);                                                                   \
+  key##i = f.Key;                                                                                  \
+  color##i = f.Color;                                                                              \
+  node = f.Next;
+#endif
 
 #define OIT_DECLARE(i)                                                                             \
   uint key##i = OIT_NO_KEY;                                                                        \
-  OITColor color##i = OITColor(0u);
+  OITKept color##i = OITKept(0u);
 
 #define OIT_LOAD(i)                                                                                \
   key##i = OIT_NO_KEY;                                                                             \
-  color##i = OITColor(0u);                                                                         \
+  color##i = OITKept(0u);                                                                          \
   if (node != OIT_END)                                                                             \
   {                                                                                                \
-    OITFragment f = oitRead(node);                                                                 \
-    key##i = f.Key;                                                                                \
-    color##i = f.Color;                                                                            \
-    node = f.Next;                                                                                 \
+    OIT_READ(i)                                                                                    \
     ++count;                                                                                       \
   }
 
@@ -27,7 +42,7 @@
     uint nearKey = min(key##i, key##j);                                                            \
     key##j = max(key##i, key##j);                                                                  \
     key##i = nearKey;                                                                              \
-    OITColor nearColor = swap ? color##j : color##i;                                               \
+    OITKept nearColor = swap ? color##j : color##i;                                               \
     color##j = swap ? color##i : color##j;                                                         \
     color##i = nearColor;                                                                          \
   }
@@ -36,8 +51,10 @@
 
 // Composites, front to back. Lists of more than OIT_LONG_LIST fragments end at the threshold, as in
 // Composite; without it there are none in registers.
-#ifdef OIT_ENDS_LONG_LISTS
+#if defined(OIT_ENDS_LONG_LISTS) || defined(OIT_DEFERRED)
 uniform float oitThreshold; // of the transmittance
+#endif
+#ifdef OIT_ENDS_LONG_LISTS
 #define OIT_IS_AT_END (count > uint(OIT_LONG_LIST) && transmittance <= oitThreshold)
 #else
 #define OIT_IS_AT_END false
@@ -49,6 +66,9 @@ uniform float oitThreshold; // of the transmittance
 #define OIT_ADD_LIGHT(c)
 #endif
 
+#ifdef OIT_DEFERRED
+#define OIT_BLEND(i) sorted[i] = color##i;
+#else
 #define OIT_BLEND(i)                                                                               \
   {                                                                                                \
     vec4 c = oitUnpack(color##i);                                                                  \
@@ -57,3 +77,4 @@ uniform float oitThreshold; // of the transmittance
     color += w * c.rgb;                                                                            \
     transmittance -= w;                                                                            \
   }
+#endif

@@ -5,7 +5,7 @@
 // Resolve: load the fragments of a pixel into registers, sort them by depth with an odd-even merge
 // network (Batcher, Sorting networks and their applications, AFIPS 1968), which a CPU runs for
 // eight pixels at once without a branch, and composite them front to back, C += T alpha c,
-// T -= T alpha. The text of the network is generated, for OIT_NETWORK_SIZE fragments.
+// T -= T alpha; with OIT_DEFERRED they are lit then, as far as the threshold lets them be seen. The text of the network is generated, for OIT_NETWORK_SIZE fragments.
 //
 // Each tile is drawn with the network that the last frame lets expect. Pixels that have more
 // fragments, or coincident ones, are left alone and their tile is marked for SecondChance.
@@ -15,6 +15,9 @@
 //VTK::OIT::Output
 
 //VTK::OIT::RegisterMacros
+#ifdef OIT_DEFERRED
+//VTK::OIT::Light
+#endif
 
 // Notes the pixel's fragments in its tile: `fragments` of them, or more when it is left.
 void oitNote(uint fragments, bool isLeft)
@@ -58,10 +61,27 @@ void main()
   vec3 color = vec3(0.0);
   float transmittance = 1.0;
   bool isTied = false;
+#ifdef OIT_DEFERRED
+  uint sorted[OIT_NETWORK_SIZE];
+#endif
   //VTK::OIT::Registers
   bool isLeft = isTied || node != OIT_END;
   oitNote(node == OIT_END ? count : 0u, isLeft);
-#ifdef OIT_ENDS_LONG_LISTS
+#ifdef OIT_DEFERRED
+  uint toLight = isLeft ? 0u : count;
+  oitBeginLight();
+  for (uint i = 0u; i < toLight && transmittance > oitThreshold; ++i)
+  {
+    vec4 c = oitLightNode(oitLoad(sorted[i]), oitLoad(sorted[i] + 1u));
+    float w = transmittance * c.a;
+    color += w * c.rgb;
+    transmittance -= w;
+  }
+  bool isAtEnd = transmittance <= oitThreshold;
+#else
+  bool isAtEnd = OIT_IS_AT_END;
+#endif
+#if defined(OIT_ENDS_LONG_LISTS) || defined(OIT_DEFERRED)
   if (isLeft)
   {
     // SecondChance does not see coincident fragments behind the nearest of a long list.
@@ -73,8 +93,8 @@ void main()
   {
     discard;
   }
-#ifdef OIT_ENDS_LONG_LISTS
-  if (OIT_IS_AT_END && transmittance > 0.0)
+#if defined(OIT_ENDS_LONG_LISTS) || defined(OIT_DEFERRED)
+  if (isAtEnd && transmittance > 0.0)
   {
     atomicMax(oitSkipped, floatBitsToUint(transmittance));
   }

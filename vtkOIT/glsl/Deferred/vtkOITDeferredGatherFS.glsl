@@ -7,24 +7,28 @@
 
 uvec4 oitPackMaterial(float opacity, out uvec2 first)
 {
-  const vec4 largest = vec4(65504.0);
 #ifdef OIT_CAPTURES
+  const vec4 largest = vec4(65504.0);
   uint normal = oitPackNormal(oitNormal);
   bool isLit = normal != OIT_UNLIT;
   vec3 factor = oitFragColor.rgb;
   vec3 diffuse = isLit ? oitDiffuse * factor : vec3(0.0);
   vec3 specular = isLit ? oitSpecular * factor : vec3(0.0);
-  vec3 ambient = oitAmbient * factor;
-  float power = oitPower;
+#ifdef OIT_CAPTURES_PHYSICAL
+  uvec2 c = oitPackUpTo(vec4(diffuse, 0.0), largest);
+  c.y |= (uint(clamp(oitOcclusion, 0.0, 1.0) * 1023.0 + 0.5) << 22u) | (uint(oitGrazing * 63.0 + 0.5) << 16u);
+  uint opaque = oitPackUpTo(vec4(opacity, 0.0, 0.0, 0.0), largest).x;
+  uint roughness = uint(clamp(oitPower, 0.0, 1.0) * 32767.0 + 0.5);
+  first = uvec2(opaque | (roughness << 16u) | OIT_PHYSICAL, normal);
+  return uvec4(c, oitPackShared(oitAmbient), oitPackShared(specular));
 #else
-  uint normal = OIT_UNLIT;
-  vec3 diffuse = vec3(0.0);
-  vec3 specular = vec3(0.0);
-  vec3 ambient = oitFragColor.rgb;
-  float power = 0.0;
-#endif
+  vec3 ambient = oitAmbient * factor;
   uvec2 d = oitPackUpTo(vec4(diffuse, ambient.b), largest);
-  uvec2 a = oitPackUpTo(vec4(ambient.rg, opacity, power), largest);
+  uvec2 a = oitPackUpTo(vec4(ambient.rg, opacity, oitPower), largest);
   first = uvec2(a.y, normal);
   return uvec4(d, a.x, oitPackShared(specular));
+#endif
+#else
+  return oitPackShaded(vec4(oitFragColor.rgb, opacity), first);
+#endif
 }

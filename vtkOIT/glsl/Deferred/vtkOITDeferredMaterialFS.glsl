@@ -8,8 +8,14 @@
 //   uvec4: diffuse colour and ambient blue, ambient red and green in half floats; specular colour in
 //          9 bits a channel and a common exponent of 5, the largest channel to 2^-10 of it
 //
+// With OIT_PHYSICAL, the free bit of the power, physically based rendering: roughness in 15 bits instead of the power,
+// the diffuse part of the albedo, and instead of the ambient colour the emission as the specular colour
+// is packed, which here is the reflectance; in place of ambient blue 10 bits of occlusion and 6 of the
+// reflectance at grazing angles.
+//
 // What is shaded already, or has no lighting, has its colour as the ambient one.
 
+const uint OIT_PHYSICAL = 0x80000000u;
 const uint OIT_UNLIT = 0xffffffffu; // no normal: coordinates are at most 65534
 
 uint oitPackNormal(vec3 n)
@@ -45,4 +51,13 @@ vec3 oitUnpackShared(uint bits)
 {
   vec3 c = vec3(uvec3(bits, bits >> 9u, bits >> 18u) & 511u);
   return c * uintBitsToFloat(((bits >> 27u) + 103u) << 23u);
+}
+
+// What is shaded already, in the two parts of a node.
+uvec4 oitPackShaded(vec4 color, out uvec2 first)
+{
+  uvec2 d = oitPackUpTo(vec4(vec3(0.0), color.b), vec4(65504.0));
+  uvec2 a = oitPackUpTo(vec4(color.rg, color.a, 0.0), vec4(65504.0));
+  first = uvec2(a.y, OIT_UNLIT);
+  return uvec4(d, a.x, oitPackShared(vec3(0.0)));
 }

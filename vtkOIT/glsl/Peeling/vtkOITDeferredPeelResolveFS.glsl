@@ -34,9 +34,11 @@ void main()
   m.Ambient = ambient.rgb * scale;
   m.Diffuse = diffuse.rgb * scale;
   m.Specular = oitLoadSums(2).rgb * scale;
+  m.Opacity = opacity;
   m.IsLit = powers.x > 0.0;
   m.Power = m.IsLit ? powers.y / powers.x : 0.0;
   m.Normal = m.IsLit ? normalize(normal) : vec3(0.0, 0.0, 1.0);
+  oitBeginLight();
   vec3 color = oitLight(m, clamp(oitState2.x, 0.0, 1.0));
   vec3 clamped = max(color, 0.0);
 #ifdef OIT_CLAMP_COLOR
