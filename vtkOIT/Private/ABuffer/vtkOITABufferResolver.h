@@ -10,6 +10,7 @@
 #include "Private/GL/vtkOITScreenStage.h"
 
 #include <array>
+#include <limits>
 #include <utility>
 
 struct vtkOITFrame;
@@ -59,6 +60,11 @@ public:
   static constexpr int LongestList = 40000;
 
 private:
+  /// Of tiles as in vtkOITABufferTileVS.glsl: those with fragments.
+  static constexpr std::array<int, 2> AllTiles = { 1, std::numeric_limits<int>::max() };
+
+  /// What shaders stored before is what the next ones load.
+  static void WaitForStores();
   vtkOITFailure Check(const vtkOITFrame& frame, const vtkOITFragmentStore& store);
   vtkOITFailure Count(const vtkOITFrame& frame, const vtkOITFragmentStore& store,
     vtkOITFragmentStore::Counters& counters);
