@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command bench with --skips, --costs, --growth and --seeds: the pages, and what is in them."""
+"""The command bench with --skips and its like: the pages, and what is in them."""
 
 import json
 import os
@@ -12,8 +12,10 @@ import Support
 from TestBenchCommand import BenchTest
 from vtkoit.bench import (
     catalogue,
+    changes,
     contenders,
     costs,
+    first,
     growth,
     lights,
     rounds,
@@ -24,6 +26,7 @@ from vtkoit.bench import (
     stage,
 )
 from vtkoit.errors import Error
+from vtkoit.picture import grab
 
 SETTINGS = rounds.Settings(frames=2, turn=0.5, budget=5.0)
 
@@ -145,10 +148,57 @@ class TestGrowth(BenchTest):
                             "-o", "out")
         page = self.read("out", "growth.md")
         self.assertIn(page, out)
-        for family, first in (("layers", "1"), ("triangles", "1k"), ("pixels", "256"), ("crowd", "50")):
+        for family, least in (("layers", "1"), ("triangles", "1k"), ("pixels", "256"), ("crowd", "50")):
             self.assertRegex(page, r"(?m)^\| %s \| `blend` \| `auto` \|" % family)
-            self.assertRegex(page, r"(?m)^\| %s \| [\d.]+ \| [\d.]+ \| [\d.]+ \|$" % first)
+            self.assertRegex(page, r"(?m)^\| %s \| [\d.]+ \| [\d.]+ \| [\d.]+ \|$" % least)
         self.assertRegex(page, r"(?m)^\| 100( \| [\d.]+ \([\d.]+\)){3} \|$")
+
+
+class TestFirst(BenchTest):
+    def test_page(self):
+        out = self.succeeds("--first", "--quick", "--frames", "1", "--size", "40x40", "-o", "out")
+        page = self.read("out", first.PAGE)
+        self.assertIn(page, out)
+        results = json.loads(self.read("out", "first.json"))["results"]
+        self.assertEqual({row["cache"] for row in results}, {"cold", "warm"})
+        for row in results:
+            if row["method"] == "blend":
+                self.assertEqual(row["frames"][0], 1.0)
+                self.assertLess(row["frames"][2], 1.0)  # all is compiled
+        self.assertRegex(page, r"(?m)^\| one-sphere \| 1.00 \(.*\) (\| [\d.]+ \([\d.]+, [\d.]+\) ){4}\|$")
+
+    def test_a_process_that_fails(self):
+        with self.assertRaisesRegex(Error, "nothing in one-sphere: its process ended with status 1"):
+            first._run("one-sphere", "nothing", "40x40", "cold", self.path("."))
+
+
+class TestChanges(BenchTest):
+    def test_known_times(self):
+        result = {"changing": {"blend": [2.0, 2.0], "auto": [3.0, 4.0]},
+                  "resting": {"blend": [1.0, 1.0], "auto": [1.5, 2.0]}}
+        self.assertAlmostEqual(changes.cost(result, "auto"), 2.0)
+        self.assertAlmostEqual(changes.added(result, "auto"), 1.5 / 0.75)
+
+    def test_page(self):
+        self.succeeds("--changes", "--quick", "--frames", "2", "--size", "40x40", "-o", "out")
+        page = self.read("out", changes.PAGE)
+        for change in changes.QUICK:
+            self.assertRegex(page, r"(?m)^\| %s \| %s \| [\d.]+ \| [\d.]+ \(-?[\d.]+\) \|"
+                             % (change.name, change.title))
+
+    def test_each_change_changes_the_picture(self):
+        chosen, = catalogue.choose([changes.SCENE])
+        for change in changes.CHANGES:
+            pair = changes._Pair(stage.Stage(chosen, (60, 60)), "abuffer", change)
+            contender = pair.contenders[0]
+            pictures = []
+            for number in (1, 2):
+                change.apply(pair.actors(contender), number)
+                contender.render()
+                pictures.append(grab(contender.window))
+            pair.close()
+            if change.name != "series":  # the same data, of another address
+                self.assertTrue((pictures[0] != pictures[1]).any(), change.name)
 
 
 class TestLights(unittest.TestCase):

@@ -165,7 +165,7 @@ def _add_bench(bench):
     # Pages of the documentation instead, for developers: CONTRIBUTING.md tells about them.
     study = bench.add_mutually_exclusive_group()
     option = study.add_argument
-    for name in ("--skips", "--costs", "--growth", "--seeds"):
+    for name in ("--skips", "--costs", "--growth", "--first", "--changes", "--seeds"):
         option(name, action="store_true", help=argparse.SUPPRESS)
     option("--list", action="store_true", help="print all scenes and methods, measure nothing")
 

@@ -23,6 +23,8 @@ rounds.py         frames in turns without errors, for
 skips.py          what each skip saves
 costs.py          what the automatic choice rests on
 growth.py         how the cost grows
+first.py          what the first picture costs
+changes.py        what data that change cost
 seeds.py          the experiments of the documents that the project implements, scans.py and seedscenes.py their
                   scenes, seedpage.py their page
 studies.py        the command bench with one of these

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command bench with --skips, --costs or --growth: a page about one question each."""
+"""The command bench with --skips, --costs and their like: a page about one question each."""
 
 import json
 import os
@@ -8,13 +8,14 @@ import os
 from ..errors import Error
 from ..values import parse_size
 from ..windows import headless
-from . import costs, document, growth, machine, plots, rounds, seedpage, seeds, skips
+from . import changes, costs, document, first, growth, machine, plots, rounds, seedpage, seeds, skips
 
-NAMES = ("skips", "costs", "growth", "seeds")
-PAGES = {"seeds": seedpage.PAGE}
+NAMES = ("skips", "costs", "growth", "first", "changes", "seeds")
+PAGES = {"seeds": seedpage.PAGE, "first": first.PAGE, "changes": changes.PAGE}
 FRAMES, QUICK_FRAMES = 9, 2
 BUDGET, QUICK_BUDGET = 3.0, 0.5
-SIZE = {"skips": "800x800", "costs": "400x400", "growth": "400x400", "seeds": "400x400"}
+SIZE = {"skips": "800x800", "costs": "400x400", "growth": "400x400", "first": "800x800", "changes": "400x400",
+        "seeds": "400x400"}
 QUICK_SIZE = "100x100"
 
 
@@ -80,6 +81,10 @@ def _measure(name, options, size, settings, here, progress):
     if name == "seeds":
         results = seeds.measure(size, settings, options.quick, progress)
         return results, seedpage.page(results, *about)
+    for study in (first, changes):
+        if name == study.__name__.rpartition(".")[2]:
+            results = study.measure(size, settings, options.quick, progress)
+            return results, study.page(results, *about)
     results = growth.measure(size, settings, options.quick, progress)
     return results, growth.page(results, *about)
 
