@@ -19,11 +19,13 @@
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
 #include "vtkPlatonicSolidSource.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRegularPolygonSource.h"
 #include "vtkReverseSense.h"
+#include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 
 #include <glm/vec2.hpp>
@@ -344,6 +346,50 @@ void CheckProofs(Report& report)
   look(false, 2);
   look(true, 2);
 }
+
+/// Of a closed convex mesh: found again after a change, not while it changes in frame after frame; and
+/// scalars are no change.
+void CheckProofsOfConvex(Report& report)
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->Update();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(cube->GetOutput());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkOITMeshShapes shapes;
+  vtkOITMeshBalls balls;
+  const auto look = [&](const std::string& what, int expected, Shape shape)
+  {
+    const Shape found = shapes.Find(actor, balls);
+    shapes.Prune();
+    report.Check(found == shape && shapes.GetNumberOfProofs() == expected,
+      what + ": " + Name(found) + " after " + std::to_string(shapes.GetNumberOfProofs()) +
+        " proofs, expected " + std::to_string(expected));
+  };
+  const auto change = [&]() { cube->GetOutput()->GetPoints()->Modified(); };
+  look("new", 1, Shape::ClosedConvex);
+  cube->GetOutput()->GetPointData()->Modified();
+  look("other scalars", 1, Shape::ClosedConvex);
+  change();
+  look("changed once", 2, Shape::ClosedConvex);
+  for (int frame = 0; frame < 5; ++frame)
+  {
+    change();
+    look("changing", 2, Shape::Unknown);
+  }
+  look("resting", 3, Shape::ClosedConvex);
+  look("resting", 3, Shape::ClosedConvex);
+  std::vector<vtkSmartPointer<vtkPolyData>> series;
+  for (int step = 0; step < 5; ++step)
+  {
+    series.push_back(vtkSmartPointer<vtkPolyData>::New());
+    series.back()->DeepCopy(cube->GetOutput());
+    mapper->SetInputData(series.back());
+    look("a series", 4, step == 0 ? Shape::ClosedConvex : Shape::Unknown);
+  }
+  look("the end of a series", 5, Shape::ClosedConvex);
+}
 }
 
 int TestMeshShapes(int, char*[])
@@ -356,5 +402,6 @@ int TestMeshShapes(int, char*[])
   CheckFlat(checker);
   CheckFarAway(checker);
   CheckProofs(report);
+  CheckProofsOfConvex(report);
   return report.GetExitStatus();
 }

@@ -3,6 +3,7 @@
 #include "Private/ABuffer/vtkOITABufferShaders.h"
 
 #include "Private/ABuffer/vtkOITSortingNetwork.h"
+#include "Private/Frame/vtkOITCompatibility.h"
 #include "Private/GL/vtkOITOutput.h"
 
 #include "vtkOITABufferCheckFS.h"
@@ -101,6 +102,7 @@ vtkOITShaderText vtkOITABufferShaders::MakeStage(const char* file) const
   text.Insert("Light", std::string(vtkOITDeferredMaterialFS) + vtkOITDeferredLightFS);
   text.Define("OIT_HAS_SPECULAR", this->Specular);
   text.Define("OIT_HAS_PHYSICAL", this->Physical);
+  text.Define("OIT_DIRECTIONAL_FROM_POSITION", vtkOITDirectionalFromPosition);
   return text;
 }
 

@@ -43,6 +43,12 @@ vtkPolyData* FindPlainSurface(vtkActor* actor)
   return isPlain ? mesh : nullptr;
 }
 
+/// Of the points and cells, not of what the points have.
+vtkMTimeType FindShapeTime(vtkPolyData* mesh)
+{
+  return std::max(mesh->GetMeshMTime(), mesh->vtkObject::GetMTime());
+}
+
 bool DrawsAllFaces(vtkProperty* property)
 {
   return !property->GetBackfaceCulling() && !property->GetFrontfaceCulling();
@@ -135,17 +141,25 @@ vtkOITMeshShape vtkOITMeshShapes::Find(vtkProp* prop, vtkOITMeshBalls& balls)
   }
   Entry& entry = this->Entries[mesh];
   entry.Rest = 0;
-  const vtkMTimeType time = mesh->GetMTime();
+  const vtkMTimeType time = FindShapeTime(mesh);
   const bool isNew = entry.Time == 0;
+  this->HasNew = this->HasNew || isNew;
   const bool hasChanged = entry.Time != time;
+  const bool isWorthIt = isNew ? !this->HadNew
+    : hasChanged               ? entry.Shape != vtkOITMeshShape::Unknown && !entry.HasChanged
+                               : !entry.IsTried;
   entry.Time = time;
-  entry.IsTried = entry.IsTried && !hasChanged;
-  if (!entry.IsTried && (isNew || !hasChanged || entry.Shape != vtkOITMeshShape::Unknown))
+  entry.HasChanged = hasChanged;
+  if (isWorthIt)
   {
     entry.Shape = vtkOITFindMeshShape(mesh, entry.Balls);
-    entry.IsTried = true;
     ++this->NumberOfProofs;
   }
+  else if (hasChanged)
+  {
+    entry.Shape = vtkOITMeshShape::Unknown;
+  }
+  entry.IsTried = isWorthIt || (entry.IsTried && !hasChanged);
   balls = Transform(entry.Balls, actor->GetMatrix());
   if (determinant < 0.0 && entry.Shape == vtkOITMeshShape::ClosedConvex)
   {
@@ -161,6 +175,8 @@ vtkOITMeshShape vtkOITMeshShapes::Find(vtkProp* prop, vtkOITMeshBalls& balls)
 //------------------------------------------------------------------------------
 void vtkOITMeshShapes::Prune()
 {
+  this->HadNew = this->HasNew;
+  this->HasNew = false;
   for (auto it = this->Entries.begin(); it != this->Entries.end();)
   {
     it = ++it->second.Rest > LongestRest ? this->Entries.erase(it) : std::next(it);

@@ -27,7 +27,7 @@ public:
   /// Whether a prop draws nothing but the surface of its mesh, so that its depths are within its bounds.
   static bool IsSurface(vtkProp* prop);
 
-  /// Drops what no prop has asked for in the last LongestRest calls.
+  /// Ends a frame; drops what no prop has asked for in the last LongestRest calls.
   void Prune();
 
   /// Proofs that were tried so far.
@@ -39,13 +39,17 @@ public:
 private:
   struct Entry
   {
-    vtkMTimeType Time = 0; // when it was as it was seen last
-    bool IsTried = false;  // since then
+    vtkMTimeType Time = 0;   // when it was as it was seen last
+    bool IsTried = false;    // since then
+    bool HasChanged = false; // when it was seen last
     vtkOITMeshShape Shape = vtkOITMeshShape::Unknown;
     vtkOITMeshBalls Balls;
     int Rest = 0; // calls of Prune() since it was asked for
   };
   std::map<vtkPolyData*, Entry> Entries;
+  // New meshes in frame after frame, as of a time series: they wait until they rest.
+  bool HasNew = false;
+  bool HadNew = false;
   int NumberOfProofs = 0;
 };
 

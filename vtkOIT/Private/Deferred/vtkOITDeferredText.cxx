@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Deferred/vtkOITDeferredText.h"
 
+#include "Private/Frame/vtkOITCompatibility.h"
 #include "Private/GL/vtkOITShaderText.h"
 
 #include "vtkActor.h"
@@ -49,6 +50,9 @@ constexpr const char* PhysicalLighting = "vec3 L, H, radiance";
 constexpr std::array<const char*, 4> PhysicalNames = {
   "vec3 albedo =", "vec3 N =", "float f90 =", "vec3 irradiance = vec3(0.0);"
 };
+/// Where VTK has directional lights beside positional ones come from where they do.
+constexpr const char* Positional = "lightPositional";
+constexpr const char* OwnDirection = "L = -lightDirectionVC";
 constexpr const char* PhysicalKept = "oitAmbient = emissiveColor;\n"
                                      "  oitDiffuse = (1.0 - metallic) * recPI * albedo;\n"
                                      "  oitSpecular = F0;\n"
@@ -153,6 +157,12 @@ bool KeepPhysical(std::string& text)
   if (!isKnown || from == std::string::npos || mark == std::string::npos || mark < from)
   {
     return false;
+  }
+  const std::string lighting = text.substr(from, mark - from);
+  const bool hasOwnDirection = Has(lighting, OwnDirection);
+  if (Has(lighting, Positional) && hasOwnDirection == vtkOITDirectionalFromPosition)
+  {
+    return false; // of a version whose directional lights are not as they are known
   }
   text.replace(from, mark - from, PhysicalKept);
   RemoveLights(text);

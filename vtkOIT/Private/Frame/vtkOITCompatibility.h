@@ -53,6 +53,14 @@ inline vtkInformationDoubleVectorKey* vtkOITGeneralTextureTransform()
 #endif
 }
 
+/// Physically based rendering: beside positional lights VTK has directional ones come from their position;
+/// mended between VTK 9.3 and 9.6.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+constexpr bool vtkOITDirectionalFromPosition = false;
+#else
+constexpr bool vtkOITDirectionalFromPosition = true;
+#endif
+
 /// The mapper of composite data whose blocks have attributes of their own: it took the name of an
 /// older one in VTK 9.3.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)

@@ -109,11 +109,11 @@ void oitAddPhysical(inout OITLit lit, OITMaterial m, vec3 along, vec3 color)
 }
 #endif
 
-// The direction of a directional light. VTK has it come from its position, in physically based rendering
-// and where there are positional lights.
+// The direction of a directional light. VTK before 9.6 has it come from its position, in physically based
+// rendering and where there are positional lights.
 vec3 oitFindDirection(OITMaterial m, vec3 along, vec3 from, vec3 position)
 {
-#ifdef OIT_HAS_PHYSICAL
+#if defined(OIT_HAS_PHYSICAL) && defined(OIT_DIRECTIONAL_FROM_POSITION)
   return m.IsPhysical && oitLightCount > oitLightEnds.x ? normalize(position - from) : along;
 #else
   return along;
