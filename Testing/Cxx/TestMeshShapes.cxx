@@ -66,7 +66,6 @@ public:
     this->Check(what, source->GetOutput(), expected);
   }
 
-private:
   static std::string Name(Shape shape)
   {
     switch (shape)
@@ -82,6 +81,7 @@ private:
     }
   }
 
+private:
   Report& TheReport;
 };
 
@@ -364,7 +364,7 @@ void CheckProofsOfConvex(Report& report)
     const Shape found = shapes.Find(actor, balls);
     shapes.Prune();
     report.Check(found == shape && shapes.GetNumberOfProofs() == expected,
-      what + ": " + Name(found) + " after " + std::to_string(shapes.GetNumberOfProofs()) +
+      what + ": " + Checker::Name(found) + " after " + std::to_string(shapes.GetNumberOfProofs()) +
         " proofs, expected " + std::to_string(expected));
   };
   const auto change = [&]() { cube->GetOutput()->GetPoints()->Modified(); };

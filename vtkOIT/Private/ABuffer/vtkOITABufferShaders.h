@@ -64,7 +64,7 @@ struct vtkOITABufferShaders
   /// of short lists.
   std::string GetSort(int runSize) const;
   /// In place of Sort and Composite, for lists of up to `runs` runs of OIT_MERGED_RUN fragments. Not for
-  /// volumes, multisampling, deferred shading and LastOnTop.
+  /// volumes, multisampling, nodes in an image, deferred shading and LastOnTop.
   std::string GetMerge(int runs) const;
   /// Lights some fragments of lists that Sort has sorted, for deferred shading.
   std::string GetShade() const;

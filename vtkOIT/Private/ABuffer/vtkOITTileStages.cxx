@@ -118,7 +118,9 @@ vtkOITTileStages::Draw vtkOITTileStages::FindMerge(
 {
   const bool isEarned = this->CompilesAtOnce || sortedTiles > TilesToCompile;
   const bool isLong = FindClass(longest) == LongLists;
-  const bool canMerge = isLong && isEarned && !shaders.LastOnTop && !shaders.Deferred;
+  // Mesa 26.1's llvmpipe gives NaN for float colours of nodes in an image that Merge has stored.
+  const bool canMerge =
+    isLong && isEarned && !shaders.LastOnTop && !shaders.Deferred && !shaders.NodesInImage;
   for (std::size_t i = 0; i < MergedRuns.size() && canMerge; ++i)
   {
     const int runs = MergedRuns[i];
