@@ -145,7 +145,7 @@ vtkOITMeshShape vtkOITMeshShapes::Find(vtkProp* prop, vtkOITMeshBalls& balls)
   const bool isNew = entry.Time == 0;
   this->HasNew = this->HasNew || isNew;
   const bool hasChanged = entry.Time != time;
-  const bool isWorthIt = isNew ? !this->HadNew
+  const bool isWorthIt = isNew ? this->FramesWithNew < LongestSeries
     : hasChanged               ? entry.Shape != vtkOITMeshShape::Unknown && !entry.HasChanged
                                : !entry.IsTried;
   entry.Time = time;
@@ -175,7 +175,7 @@ vtkOITMeshShape vtkOITMeshShapes::Find(vtkProp* prop, vtkOITMeshBalls& balls)
 //------------------------------------------------------------------------------
 void vtkOITMeshShapes::Prune()
 {
-  this->HadNew = this->HasNew;
+  this->FramesWithNew = this->HasNew ? this->FramesWithNew + 1 : 0;
   this->HasNew = false;
   for (auto it = this->Entries.begin(); it != this->Entries.end();)
   {

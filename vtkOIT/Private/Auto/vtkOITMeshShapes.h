@@ -47,9 +47,10 @@ private:
     int Rest = 0; // calls of Prune() since it was asked for
   };
   std::map<vtkPolyData*, Entry> Entries;
-  // New meshes in frame after frame, as of a time series: they wait until they rest.
-  bool HasNew = false;
-  bool HadNew = false;
+  // New meshes in so many frames in a row are a time series: they wait until they rest.
+  static constexpr int LongestSeries = 3;
+  int FramesWithNew = 0;
+  bool HasNew = false; // this frame
   int NumberOfProofs = 0;
 };
 
