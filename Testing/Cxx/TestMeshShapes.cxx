@@ -352,10 +352,12 @@ void CheckProofs(Report& report)
 /// scalars are no change.
 void CheckProofsOfConvex(Report& report)
 {
-  vtkNew<vtkCubeSource> cube;
-  cube->Update();
+  vtkNew<vtkSphereSource> ball;
+  ball->SetThetaResolution(32);
+  ball->SetPhiResolution(32);
+  ball->Update();
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(cube->GetOutput());
+  mapper->SetInputData(ball->GetOutput());
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   vtkOITMeshShapes shapes;
@@ -368,9 +370,9 @@ void CheckProofsOfConvex(Report& report)
       what + ": " + Checker::Name(found) + " after " + std::to_string(shapes.GetNumberOfProofs()) +
         " proofs, expected " + std::to_string(expected));
   };
-  const auto change = [&]() { cube->GetOutput()->GetPoints()->Modified(); };
+  const auto change = [&]() { ball->GetOutput()->GetPoints()->Modified(); };
   look("new", 1, Shape::ClosedConvex);
-  cube->GetOutput()->GetPointData()->Modified();
+  ball->GetOutput()->GetPointData()->Modified();
   look("other scalars", 1, Shape::ClosedConvex);
   change();
   look("changed once", 2, Shape::ClosedConvex);
@@ -385,7 +387,7 @@ void CheckProofsOfConvex(Report& report)
   for (int step = 0; step < 5; ++step)
   {
     series.push_back(vtkSmartPointer<vtkPolyData>::New());
-    series.back()->DeepCopy(cube->GetOutput());
+    series.back()->DeepCopy(ball->GetOutput());
     mapper->SetInputData(series.back());
     look("a series", std::min(4 + step, 6), step < 3 ? Shape::ClosedConvex : Shape::Unknown);
   }

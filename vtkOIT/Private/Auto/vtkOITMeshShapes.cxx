@@ -145,9 +145,10 @@ vtkOITMeshShape vtkOITMeshShapes::Find(vtkProp* prop, vtkOITMeshBalls& balls)
   const bool isNew = entry.Time == 0;
   this->HasNew = this->HasNew || isNew;
   const bool hasChanged = entry.Time != time;
-  const bool isWorthIt = isNew ? this->FramesWithNew < LongestSeries
-    : hasChanged               ? entry.Shape != vtkOITMeshShape::Unknown && !entry.HasChanged
-                               : !entry.IsTried;
+  const bool isCheap = mesh->GetNumberOfPolys() <= CheapMesh;
+  const bool isWorthIt = isNew ? isCheap || this->FramesWithNew < LongestSeries
+    : hasChanged ? entry.Shape != vtkOITMeshShape::Unknown && (isCheap || !entry.HasChanged)
+                 : !entry.IsTried;
   entry.Time = time;
   entry.HasChanged = hasChanged;
   if (isWorthIt)

@@ -35,6 +35,8 @@ public:
 
   static constexpr vtkIdType LargestMesh = 100000;
   static constexpr int LongestRest = 100;
+  /// Polygons of meshes whose proof costs no more than what else a prop does in a frame.
+  static constexpr vtkIdType CheapMesh = 100;
 
 private:
   struct Entry
