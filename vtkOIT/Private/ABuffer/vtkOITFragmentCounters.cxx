@@ -48,7 +48,9 @@ std::vector<std::uint32_t> vtkOITFragmentStore::MakeCounters() const
 //------------------------------------------------------------------------------
 vtkOITFragmentStore::Counters vtkOITFragmentStore::ReadCounters() const
 {
-  std::vector<std::uint32_t> words = this->MakeCounters();
+  const auto regions = this->Regions ? this->Regions->GetRegions().size() : 0;
+  std::vector<std::uint32_t> words(
+    GetCounterWords(this->Grid.GetNumberOfTiles(), static_cast<int>(regions)));
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->CounterBuffer);
   glGetBufferSubData(

@@ -3,6 +3,7 @@
 #include "Private/Auto/vtkOITMeshShapes.h"
 
 #include "Private/Frame/vtkOITCompatibility.h"
+#include "Private/Frame/vtkOITIsCalled.h"
 #include "Private/Frame/vtkOITPropInput.h"
 
 #include "vtkActor.h"
@@ -14,18 +15,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <initializer_list>
 #include <iterator>
 
 namespace
 {
-/// For each prop in each frame: without a string made of it.
-bool IsCalled(vtkObjectBase* object, const char* name)
-{
-  return std::strcmp(object->GetClassName(), name) == 0;
-}
-
 /// Its mesh when only polygons of that are drawn, at their own depth; or nullptr.
 vtkPolyData* FindPlainSurface(vtkActor* actor)
 {
@@ -93,15 +87,14 @@ vtkActor* FindActor(vtkProp* prop, std::initializer_list<const char*> mappers)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
-  if (!mapper || !IsCalled(actor, "vtkOpenGLActor"))
+  if (!mapper || !vtkOITIsCalled(actor, "vtkOpenGLActor"))
   {
     return nullptr;
   }
   vtkShaderProperty* shader = actor->GetShaderProperty();
-  const bool isPlain = std::any_of(mappers.begin(), mappers.end(),
-                         [mapper](const char* name) { return IsCalled(mapper, name); }) &&
-    !shader->HasVertexShaderCode() && !shader->HasFragmentShaderCode() &&
-    !shader->HasGeometryShaderCode() && shader->GetNumberOfShaderReplacements() == 0;
+  const bool isPlain = vtkOITIsCalledOneOf(mapper, mappers) && !shader->HasVertexShaderCode() &&
+    !shader->HasFragmentShaderCode() && !shader->HasGeometryShaderCode() &&
+    shader->GetNumberOfShaderReplacements() == 0;
   return isPlain ? actor : nullptr;
 }
 }

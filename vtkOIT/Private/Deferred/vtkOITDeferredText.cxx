@@ -3,6 +3,7 @@
 #include "Private/Deferred/vtkOITDeferredText.h"
 
 #include "Private/Frame/vtkOITCompatibility.h"
+#include "Private/Frame/vtkOITIsCalled.h"
 #include "Private/GL/vtkOITShaderText.h"
 
 #include "vtkActor.h"
@@ -198,8 +199,7 @@ bool vtkOITDeferredText::CanDefer(vtkAbstractMapper* mapper, vtkProp* prop) cons
     return false;
   }
   vtkProperty* property = actor->GetProperty();
-  const bool isKnown = std::any_of(KnownMappers.begin(), KnownMappers.end(),
-    [&](const char* name) { return std::strcmp(name, mapper->GetClassName()) == 0; });
+  const bool isKnown = vtkOITIsCalledOneOf(mapper, KnownMappers);
   const bool isHard = IsPhysical(actor) && !(this->TakesPhysical && !IsTooPhysical(mapper, actor));
   return isKnown && !isHard && !ChangesShaders(actor) && !HasOtherPasses(actor) &&
     !HasWideParts(mapper, property);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Engine/vtkOITPropParts.h"
 
+#include "Private/Frame/vtkOITIsCalled.h"
+
 #include "vtkActor.h"
 #include "vtkInformation.h"
 #include "vtkMapper.h"
@@ -11,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <set>
 
 //------------------------------------------------------------------------------
@@ -24,7 +25,7 @@ bool vtkOITIsSimpleActor(vtkProp* prop)
     "vtkOpenGLSurfaceProbeVolumeMapper", "vtkOpenGLLowMemoryPolyDataMapper" };
   auto* actor = vtkActor::SafeDownCast(prop);
   vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
-  return mapper && std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0 &&
+  return mapper && vtkOITIsCalled(actor, "vtkOpenGLActor") &&
     std::any_of(
       names.begin(), names.end(), [mapper](const char* name) { return mapper->IsA(name) != 0; });
 }
@@ -48,9 +49,7 @@ bool vtkOITDrawsInOrder(const std::vector<vtkProp*>& props)
     {
       auto* actor = vtkActor::SafeDownCast(prop);
       vtkMapper* mapper = actor && vtkOITIsSimpleActor(prop) ? actor->GetMapper() : nullptr;
-      return mapper &&
-        std::any_of(names.begin(), names.end(),
-          [mapper](const char* name) { return std::strcmp(mapper->GetClassName(), name) == 0; });
+      return vtkOITIsCalledOneOf(mapper, names);
     });
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Frame/vtkOITPropInput.h"
 
+#include "Private/Frame/vtkOITIsCalled.h"
+
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
@@ -13,17 +15,10 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 
 namespace
 {
-/// Without a string made of it, which SafeDownCast() makes of each class on the way.
-bool IsCalled(vtkObjectBase* object, const char* name)
-{
-  return object && std::strcmp(object->GetClassName(), name) == 0;
-}
-
 bool HasInput(vtkMapper* mapper)
 {
   return mapper->GetNumberOfInputPorts() > 0 && mapper->GetNumberOfInputConnections(0) > 0;
@@ -32,17 +27,17 @@ bool HasInput(vtkMapper* mapper)
 bool HasPipeline(vtkMapper* mapper)
 {
   return !mapper->GetStatic() && HasInput(mapper) &&
-    !IsCalled(mapper->GetInputAlgorithm(0, 0), "vtkTrivialProducer");
+    !vtkOITIsCalled(mapper->GetInputAlgorithm(0, 0), "vtkTrivialProducer");
 }
 
 /// The mesh that the mapper of an actor draws as it is, or nullptr.
 vtkPolyData* FindMesh(vtkActor* actor)
 {
   vtkMapper* mapper = actor->GetMapper();
-  const bool isPlain = IsCalled(actor, "vtkOpenGLActor") &&
-    IsCalled(mapper, "vtkOpenGLPolyDataMapper") && HasInput(mapper) && !HasPipeline(mapper);
+  const bool isPlain = vtkOITIsCalled(actor, "vtkOpenGLActor") &&
+    vtkOITIsCalled(mapper, "vtkOpenGLPolyDataMapper") && HasInput(mapper) && !HasPipeline(mapper);
   vtkDataObject* data = isPlain ? mapper->GetInputDataObject(0, 0) : nullptr;
-  return IsCalled(data, "vtkPolyData") ? static_cast<vtkPolyData*>(data) : nullptr;
+  return vtkOITIsCalled(data, "vtkPolyData") ? static_cast<vtkPolyData*>(data) : nullptr;
 }
 
 /// The box around a box under an affine transformation.

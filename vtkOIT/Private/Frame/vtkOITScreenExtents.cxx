@@ -3,6 +3,7 @@
 #include "Private/Frame/vtkOITScreenExtents.h"
 
 #include "Private/Frame/vtkOITCompatibility.h"
+#include "Private/Frame/vtkOITIsCalled.h"
 #include "Private/Frame/vtkOITPropInput.h"
 
 #include "vtkActor.h"
@@ -23,7 +24,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <iterator>
 #include <limits>
 
@@ -35,9 +35,7 @@ bool StaysInBounds(vtkMapper* mapper)
   static constexpr std::array<const char*, 5> names = { "vtkOpenGLPolyDataMapper",
     "vtkDataSetMapper", "vtkCompositePolyDataMapper", "vtkCompositePolyDataMapper2",
     "vtkPolyDataMapper" };
-  return mapper &&
-    std::any_of(names.begin(), names.end(),
-      [mapper](const char* name) { return std::strcmp(mapper->GetClassName(), name) == 0; });
+  return vtkOITIsCalledOneOf(mapper, names);
 }
 
 /// Bounds know nothing of a perspective transformation.
