@@ -11,7 +11,8 @@ from ..windows import headless
 from . import changes, costs, document, first, growth, machine, plots, rounds, seedpage, seeds, skips
 
 NAMES = ("skips", "costs", "growth", "first", "changes", "seeds")
-PAGES = {"seeds": seedpage.PAGE, "first": first.PAGE, "changes": changes.PAGE}
+PLAIN = {"growth": growth, "first": first, "changes": changes}  # which take and return the same
+PAGES = {"seeds": seedpage.PAGE, **{name: study.PAGE for name, study in PLAIN.items()}}
 FRAMES, QUICK_FRAMES = 9, 2
 BUDGET, QUICK_BUDGET = 3.0, 0.5
 SIZE = {"skips": "800x800", "costs": "400x400", "growth": "400x400", "first": "800x800", "changes": "400x400",
@@ -81,12 +82,9 @@ def _measure(name, options, size, settings, here, progress):
     if name == "seeds":
         results = seeds.measure(size, settings, options.quick, progress)
         return results, seedpage.page(results, *about)
-    for study in (first, changes):
-        if name == study.__name__.rpartition(".")[2]:
-            results = study.measure(size, settings, options.quick, progress)
-            return results, study.page(results, *about)
-    results = growth.measure(size, settings, options.quick, progress)
-    return results, growth.page(results, *about)
+    study = PLAIN[name]
+    results = study.measure(size, settings, options.quick, progress)
+    return results, study.page(results, *about)
 
 
 def _command(name, options):
