@@ -8,6 +8,7 @@
 #include "Oracle/ReferenceCompositor.h"
 #include "Rig/GLObjects.h"
 #include "Rig/Rig.h"
+#include "Scenes/LightArrangements.h"
 #include "Scenes/LitScenes.h"
 
 #include "vtkActor.h"

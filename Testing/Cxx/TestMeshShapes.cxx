@@ -7,11 +7,9 @@
 #include "Rig/Report.h"
 #include "Scenes/ShapeMeshes.h"
 
-#include "Private/Auto/vtkOITMeshShapes.h"
+#include "Private/Auto/vtkOITMeshShape.h"
 #include "vtkVersionMacros.h"
 
-#include "vtkActor.h"
-#include "vtkCellArray.h"
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
 #include "vtkCylinderSource.h"
@@ -19,19 +17,14 @@
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
 #include "vtkPlatonicSolidSource.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkRegularPolygonSource.h"
 #include "vtkReverseSense.h"
-#include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -67,6 +60,7 @@ public:
     this->Check(what, source->GetOutput(), expected);
   }
 
+private:
   static std::string Name(Shape shape)
   {
     switch (shape)
@@ -82,7 +76,6 @@ public:
     }
   }
 
-private:
   Report& TheReport;
 };
 
@@ -303,96 +296,6 @@ void CheckFarAway(Checker& checker)
   checker.Check(
     "bowl far away", Transform(MakeCubeWithBowl(8, 0.2), far, far, far, false), Shape::Unknown);
 }
-
-/// Proofs that are tried of a mesh that changes before some frames.
-void CheckProofs(Report& report)
-{
-  vtkNew<vtkPoints> points;
-  for (int i = 0; i < 5; ++i)
-  {
-    const int row = i / 2;
-    points->InsertNextPoint(i % 2, row, 0.3 * (i % 3));
-  }
-  vtkNew<vtkCellArray> polys;
-  polys->InsertNextCell({ 0, 1, 2 });
-  polys->InsertNextCell({ 1, 3, 2 });
-  polys->InsertNextCell({ 2, 3, 4 });
-  vtkNew<vtkPolyData> mesh; // neither closed nor flat
-  mesh->SetPoints(points);
-  mesh->SetPolys(polys);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(mesh);
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  vtkOITMeshShapes shapes;
-  vtkOITMeshBalls balls;
-  const auto look = [&](bool changes, int expected)
-  {
-    if (changes)
-    {
-      mesh->GetPoints()->Modified();
-    }
-    const vtkOITMeshShape shape = shapes.Find(actor, balls);
-    shapes.Prune();
-    report.Check(shape == vtkOITMeshShape::Unknown && shapes.GetNumberOfProofs() == expected,
-      std::to_string(shapes.GetNumberOfProofs()) + " proofs, expected " + std::to_string(expected));
-  };
-  look(false, 1); // the first frame
-  look(false, 1);
-  for (int frame = 0; frame < 10; ++frame)
-  {
-    look(true, 1);
-  }
-  look(false, 2); // it stays
-  look(false, 2);
-  look(true, 2);
-}
-
-/// Of a closed convex mesh: found again after a change, not while it changes in frame after frame; and
-/// scalars are no change.
-void CheckProofsOfConvex(Report& report)
-{
-  vtkNew<vtkSphereSource> ball;
-  ball->SetThetaResolution(32);
-  ball->SetPhiResolution(32);
-  ball->Update();
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(ball->GetOutput());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  vtkOITMeshShapes shapes;
-  vtkOITMeshBalls balls;
-  const auto look = [&](const std::string& what, int expected, Shape shape)
-  {
-    const Shape found = shapes.Find(actor, balls);
-    shapes.Prune();
-    report.Check(found == shape && shapes.GetNumberOfProofs() == expected,
-      what + ": " + Checker::Name(found) + " after " + std::to_string(shapes.GetNumberOfProofs()) +
-        " proofs, expected " + std::to_string(expected));
-  };
-  const auto change = [&]() { ball->GetOutput()->GetPoints()->Modified(); };
-  look("new", 1, Shape::ClosedConvex);
-  ball->GetOutput()->GetPointData()->Modified();
-  look("other scalars", 1, Shape::ClosedConvex);
-  change();
-  look("changed once", 2, Shape::ClosedConvex);
-  for (int frame = 0; frame < 5; ++frame)
-  {
-    change();
-    look("changing", 2, Shape::Unknown);
-  }
-  look("resting", 3, Shape::ClosedConvex);
-  look("resting", 3, Shape::ClosedConvex);
-  std::vector<vtkSmartPointer<vtkPolyData>> series;
-  for (int step = 0; step < 5; ++step)
-  {
-    series.push_back(vtkSmartPointer<vtkPolyData>::New());
-    series.back()->DeepCopy(ball->GetOutput());
-    mapper->SetInputData(series.back());
-    look("a series", std::min(4 + step, 6), step < 3 ? Shape::ClosedConvex : Shape::Unknown);
-  }
-  look("the end of a series", 7, Shape::ClosedConvex);
-}
 }
 
 int TestMeshShapes(int, char*[])
@@ -404,7 +307,5 @@ int TestMeshShapes(int, char*[])
   CheckNotClosed(checker);
   CheckFlat(checker);
   CheckFarAway(checker);
-  CheckProofs(report);
-  CheckProofsOfConvex(report);
   return report.GetExitStatus();
 }

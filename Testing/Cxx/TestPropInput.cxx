@@ -7,8 +7,10 @@
 #include "Rig/Report.h"
 
 #include "Private/Frame/vtkOITPropInput.h"
+#include "Private/Frame/vtkOITScreenExtents.h"
 
 #include "vtkActor.h"
+#include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkDataSetMapper.h"
 #include "vtkMath.h"
@@ -18,6 +20,8 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
 #include "vtkSphereSource.h"
 
 #include <algorithm>
@@ -163,6 +167,31 @@ void CheckStatic(Checker& checker, Report& report)
     source->GetOutput()->GetBounds()[5] < 1.0, "the input of a static mapper is updated");
 }
 
+/// Bounds do not limit where a perspective matrix of the user puts a mesh.
+void CheckPerspective(Report& report)
+{
+  vtkNew<vtkPolyData> mesh;
+  MakeMesh(mesh);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(mesh);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkNew<vtkMatrix4x4> matrix;
+  actor->SetUserMatrix(matrix);
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkRenderWindow> window;
+  window->AddRenderer(renderer);
+  renderer->GetActiveCamera()->SetPosition(2, 4, 50);
+  renderer->GetActiveCamera()->SetFocalPoint(2, 4, 3);
+  renderer->GetActiveCamera()->SetClippingRange(1, 100);
+  const auto isBounded = [&]() {
+    return vtkOITFindScreenExtents(renderer, { actor }, { 0, 0, 100, 100 }).front().IsBounded;
+  };
+  report.Check(isBounded(), "an affine matrix has no extent");
+  matrix->SetElement(3, 0, 0.25);
+  report.Check(!isBounded(), "a perspective matrix has an extent");
+}
+
 void CheckNothing(Report& report)
 {
   vtkNew<vtkActor> actor;
@@ -190,6 +219,7 @@ int TestPropInput(int, char*[])
   CheckData(checker);
   CheckPipeline(checker, report);
   CheckStatic(checker, report);
+  CheckPerspective(report);
   CheckNothing(report);
   return report.GetExitStatus();
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026 the vtkOIT developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Crossing translucent props of one material under a camera in perspective, and lights of all kinds.
+ * Crossing translucent props of one material under a camera in perspective.
  */
 
 #ifndef LitScenes_h
@@ -25,15 +25,6 @@ struct LitMaterial
 };
 /// The first one reflects lights.
 const std::vector<LitMaterial>& GetLitMaterials();
-
-struct LightArrangement
-{
-  const char* Name;
-  std::function<void(vtkRenderer*)> Add;
-  bool IsForEachMaterial;
-};
-/// The first one is the headlight that VTK makes.
-const std::vector<LightArrangement>& GetLightArrangements();
 
 /// Two spheres through each other and a bent sheet, in front of the camera of the renderer.
 void AddLitScene(vtkRenderer* renderer, const LitMaterial& material);
